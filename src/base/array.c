@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT */
+#include "base/array.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+
+bool plb_array_grow(void **v, size_t n, size_t *room, size_t extra, size_t size)
+{
+    if (extra <= *room - n)
+        return true;
+    if (extra > SIZE_MAX / 2 / size - n)
+        return false;
+    size_t want = n + extra, twice = *room * 2;
+    size_t next = want > twice ? want : twice;
+    if (next < 8)
+        next = 8;
+    void *p = realloc(*v, next * size);
+    if (!p)
+        return false;
+    *v = p;
+    *room = next;
+    return true;
+}
+
+void *plb_new(size_t n, size_t size)
+{
+    return calloc(n ? n : 1, size);
+}
+
+void plb_free(void *p)
+{
+    free(p);
+}

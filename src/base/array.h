@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Growing arrays and checked allocation. Every size is checked for overflow before it reaches malloc.
+ *
+ *     ARRAY(point) dots = {0};
+ *     if (!array_push(&dots, p)) return plb_fail_memory(err);      // false: out of memory, array unchanged
+ *     for (size_t i = 0; i < dots.n; i++) use(dots.v[i]);
+ *     array_free(&dots);
+ */
+#ifndef PLB_BASE_ARRAY_H
+#define PLB_BASE_ARRAY_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#define ARRAY(type) \
+    struct { \
+        type *v; \
+        size_t n, room; \
+    }
+
+/* Room for `extra` more elements; false when out of memory. */
+#define array_reserve(a, extra) plb_array_grow((void **)&(a)->v, (a)->n, &(a)->room, (extra), sizeof *(a)->v)
+#define array_push(a, item) (array_reserve((a), 1) ? ((a)->v[(a)->n++] = (item), true) : false)
+#define array_free(a) (plb_free((a)->v), (a)->v = NULL, (a)->n = (a)->room = 0)
+
+bool plb_array_grow(void **v, size_t n, size_t *room, size_t extra, size_t size);
+/* Zeroed room for `n` elements of `size` bytes, owned by the caller; NULL on overflow or when out of memory. */
+void *plb_new(size_t n, size_t size);
+void plb_free(void *p);
+
+#endif

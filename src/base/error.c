@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT */
+#include "base/error.h"
+
+#include <stdio.h>
+
+bool plb_fail_v(error *err, error_kind kind, const char *format, va_list args)
+{
+    if (!err || err->kind != ERROR_NONE)
+        return false;
+    err->kind = kind;
+    vsnprintf(err->text, sizeof err->text, format, args);
+    return false;
+}
+
+bool plb_fail(error *err, error_kind kind, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    plb_fail_v(err, kind, format, args);
+    va_end(args);
+    return false;
+}
+
+bool plb_fail_memory(error *err)
+{
+    return plb_fail(err, ERROR_MEMORY, "out of memory");
+}
+
+void plb_error_clear(error *err)
+{
+    err->kind = ERROR_NONE;
+    err->text[0] = '\0';
+}
+
+void plb_say(const messenger *to, message_level level, const char *format, ...)
+{
+    if (!to || !to->say)
+        return;
+    char text[512];
+    va_list args;
+    va_start(args, format);
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    to->say(to->closure, level, text);
+}

@@ -1,0 +1,54 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Points, boxes and affine maps of the plane. The unit is the caller's (millimetres in the display list,
+ * pixels in patches).
+ */
+#ifndef PLB_BASE_GEOM_H
+#define PLB_BASE_GEOM_H
+
+#include <stdbool.h>
+
+typedef struct {
+    double x, y;
+} point;
+
+/* x' = xx x + xy y + x0, y' = yx x + yy y + y0: the order of PostScript's [xx yx xy yy x0 y0]. */
+typedef struct {
+    double xx, yx, xy, yy, x0, y0;
+} matrix;
+
+/* Empty when x1 < x0 or y1 < y0. */
+typedef struct {
+    double x0, y0, x1, y1;
+} box;
+
+#define MATRIX_IDENTITY ((matrix){1, 0, 0, 1, 0, 0})
+#define BOX_EMPTY ((box){1e300, 1e300, -1e300, -1e300})
+#define PLB_PI 3.14159265358979323846
+
+point plb_matrix_apply(matrix m, point p);
+/* The linear part alone: for vectors and distances. */
+point plb_matrix_apply_vector(matrix m, point v);
+/* First `a`, then `b`. */
+matrix plb_matrix_multiply(matrix a, matrix b);
+matrix plb_matrix_scale(double sx, double sy);
+matrix plb_matrix_rotate(double radians);
+double plb_matrix_determinant(matrix m);
+/* False (and `out` untouched) when the map is singular or not finite. */
+bool plb_matrix_invert(matrix m, matrix *out);
+/* The mean factor by which lengths grow: the square root of the area's. */
+double plb_matrix_expansion(matrix m);
+
+static inline point point_add(point a, point b) { return (point){a.x + b.x, a.y + b.y}; }
+static inline point point_sub(point a, point b) { return (point){a.x - b.x, a.y - b.y}; }
+static inline point point_scale(point a, double f) { return (point){a.x * f, a.y * f}; }
+static inline point point_mix(point a, point b, double t) { return (point){a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t}; }
+static inline double point_dot(point a, point b) { return a.x * b.x + a.y * b.y; }
+static inline double point_cross(point a, point b) { return a.x * b.y - a.y * b.x; }
+double plb_point_length(point a);
+double plb_point_distance(point a, point b);
+
+void plb_box_add(box *b, point p);
+bool plb_box_is_empty(box b);
+
+#endif

@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A patch: a small raster of grey with its place on the page. It is what a stroke hands to the surface.
+ */
+#ifndef PLB_BASE_PATCH_H
+#define PLB_BASE_PATCH_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+/* The largest side of a patch, in pixels: long strokes come as several patches that share no pixel. */
+#define PATCH_SIDE 128
+
+typedef struct {
+    int x, y;          /* page pixel of grey[0]; may lie outside the page */
+    int width, height; /* 1 to PATCH_SIDE */
+    /* Row by row, `width` a row. 255: no graphite; lower: darker. On a scale where the profile's paper is 255. */
+    uint8_t grey[PATCH_SIDE * PATCH_SIDE];
+} patch;
+
+/* Receives the patches of a stroke one after the other; the patch is the caller's and dies with the call.
+ * False stops the stroke. */
+typedef bool (*patch_sink)(void *closure, const patch *p);
+
+#endif

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A file becomes a display list. Formats are a table (input.c): name, how to recognise it, reader.
+ */
+#ifndef PLB_INPUT_INPUT_H
+#define PLB_INPUT_INPUT_H
+
+#include "base/error.h"
+#include "list/list.h"
+
+#include <stddef.h>
+
+typedef struct {
+    const char *name;       /* the file's name as messages show it */
+    const char *data;       /* all its bytes (may hold NULs); lives as long as the call */
+    size_t size;
+    const char *helper_dir; /* where tap-svg is looked for first; NULL: beside the program, then the installed place */
+    messenger say;          /* warnings and details */
+} input_source;
+
+/* Recognises the format by content and reads it. On success `list` (initialised by the caller) holds items and a
+ * page size in mm. On failure `err` says "NAME:LINE: what" or "NAME: what". */
+bool plb_input_read(const input_source *in, display_list *list, error *err);
+
+/* Reads a whole file (or standard input, when `file` is "-") into memory the caller frees with plb_free; at most
+ * INPUT_MAX_BYTES. Directories and devices that never end are refused by that limit. */
+#define INPUT_MAX_BYTES ((size_t)256 << 20)
+bool plb_input_load(const char *file, char **data, size_t *size, error *err);
+
+/* The readers, one per format; same contract. */
+bool plb_read_svg(const input_source *in, display_list *list, error *err);
+bool plb_read_postscript(const input_source *in, display_list *list, error *err);
+
+#endif
