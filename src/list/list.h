@@ -47,6 +47,7 @@ typedef struct {
     double width, height; /* of the page, mm, finite and positive once a reader is done */
     ARRAY(item) items;
     ARRAY(clip) clips;
+    size_t points; /* of all paths together */
     /* What was met and left out, for messages. */
     unsigned long images, masks;
 } display_list;

@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The text forms of both lists, for people and for golden tests:
+ *
+ *     list WIDTH HEIGHT
+ *     clip INDEX PARENT nonzero|evenodd PATH
+ *     stroke CLIP colour R G B A width MM cap [dash ON OFF … @OFFSET] PATH
+ *     fill CLIP colour R G B A nonzero|evenodd PATH
+ *
+ *     strokes WIDTH HEIGHT
+ *     stroke IDENTITY open|closed X Y X Y …
+ *
+ * PATH is M X Y, L X Y, C X Y X Y X Y, Z; millimetres with three decimals.
+ */
+#include "list/list.h"
+#include "list/strokes.h"
+
+#include "base/number.h"
+
+static void print_number(FILE *to, double v)
+{
+    char text[48];
+    fputc(' ', to);
+    fputs(plb_format_number(text, v, 3), to);
+}
+
+static void print_point(FILE *to, point p)
+{
+    print_number(to, p.x);
+    print_number(to, p.y);
+}
+
+static void print_path(FILE *to, const path *p)
+{
+    static const struct {
+        char letter;
+        int points;
+    } form[] = {{'M', 1}, {'L', 1}, {'C', 3}, {'Z', 0}};
+    size_t k = 0;
+    for (size_t i = 0; i < p->ops.n; i++) {
+        fprintf(to, " %c", form[p->ops.v[i]].letter);
+        for (int j = 0; j < form[p->ops.v[i]].points; j++)
+            print_point(to, p->points.v[k++]);
+    }
+    fputc('\n', to);
+}
+
+static void print_paint(FILE *to, paint p)
+{
+    static const char *const kinds[] = {"colour", "gradient", "pattern"};
+    fprintf(to, " %s", kinds[p.kind]);
+    print_number(to, p.red);
+    print_number(to, p.green);
+    print_number(to, p.blue);
+    print_number(to, p.alpha);
+}
+
+static void print_item(FILE *to, const item *it)
+{
+    static const char *const caps[] = {"butt", "round", "square"};
+    fprintf(to, "%s %d", it->kind == ITEM_FILL ? "fill" : "stroke", it->clip);
+    print_paint(to, it->paint);
+    if (it->kind == ITEM_FILL) {
+        fputs(it->even_odd ? " evenodd" : " nonzero", to);
+    } else {
+        fputs(" width", to);
+        print_number(to, it->width);
+        fprintf(to, " %s", caps[it->cap]);
+        for (size_t k = 0; k < it->dash.n; k++) {
+            fputs(k ? "" : " dash", to);
+            print_number(to, it->dash.v[k]);
+        }
+        if (it->dash.n) {
+            fputs(" @", to);
+            print_number(to, it->dash_offset);
+        }
+    }
+    print_path(to, &it->path);
+}
+
+bool plb_list_print(const display_list *list, FILE *to)
+{
+    fputs("list", to);
+    print_point(to, (point){list->width, list->height});
+    fputc('\n', to);
+    for (size_t i = 0; i < list->clips.n; i++) {
+        const clip *c = &list->clips.v[i];
+        fprintf(to, "clip %zu %d %s", i, c->parent, c->even_odd ? "evenodd" : "nonzero");
+        print_path(to, &c->path);
+    }
+    for (size_t i = 0; i < list->items.n; i++)
+        print_item(to, &list->items.v[i]);
+    return !ferror(to);
+}
+
+bool plb_stroke_list_print(const stroke_list *s, FILE *to)
+{
+    fputs("strokes", to);
+    print_point(to, (point){s->width, s->height});
+    fputc('\n', to);
+    for (size_t i = 0; i < s->strokes.n; i++) {
+        const stroke *it = &s->strokes.v[i];
+        fprintf(to, "stroke %016llx %s", (unsigned long long)it->identity, it->closed ? "closed" : "open");
+        for (size_t k = 0; k < it->n; k++)
+            print_point(to, s->points.v[it->first + k]);
+        fputc('\n', to);
+    }
+    return !ferror(to);
+}
+
+void plb_stroke_list_free(stroke_list *s)
+{
+    array_free(&s->strokes);
+    array_free(&s->points);
+}

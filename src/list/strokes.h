@@ -1,0 +1,33 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The stroke list: the movements a hand makes, in the order it makes them, in millimetres on paper. `plan` makes it
+ * from the display list; `stroke` draws its entries one by one.
+ */
+#ifndef PLB_LIST_STROKES_H
+#define PLB_LIST_STROKES_H
+
+#include "base/array.h"
+#include "base/geom.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+/* One movement of the pencil along a smooth line. */
+typedef struct {
+    uint64_t identity; /* where its random numbers live: a hash of its shape, distinct for each stroke of a list */
+    size_t first, n;   /* its points in stroke_list.points; n >= 2, no two neighbours equal */
+    bool closed;       /* ends where it starts, smoothly */
+} stroke;
+
+typedef struct {
+    double width, height; /* of the page, mm */
+    ARRAY(stroke) strokes;
+    ARRAY(point) points;
+} stroke_list;
+
+void plb_stroke_list_free(stroke_list *s);
+/* The text form: one stroke a line after a head line; plumbago(1), --dump=strokes. False on a write error. */
+bool plb_stroke_list_print(const stroke_list *s, FILE *to);
+
+#endif
