@@ -40,11 +40,12 @@ typedef struct {
     /* Called at the end of the bytes: gives more (and true), or false at the end of the input. May be NULL. */
     bool (*refill)(void *closure, const char **data, size_t *size);
     void *closure;
-    int line;               /* of the token last read, from 1 */
+    int line;               /* of the token last read (its first byte), from 1 */
+    int next_line;          /* of the byte at `at` */
     ARRAY(char) buffer;     /* text of tokens that need unescaping or cross a refill */
 } scanner;
 
-/* The longest name, string or comment in bytes; longer ones are an error. */
+/* The longest name or string in bytes; longer ones are an error. */
 #define SCAN_MAX_TOKEN ((size_t)16 << 20)
 
 void plb_scan_init(scanner *s, const char *data, size_t size);
