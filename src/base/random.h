@@ -25,9 +25,9 @@ static inline uint64_t random_mix(uint64_t x)
 }
 
 /* The key of one use in one stroke: index it with random_bits or random_unit. */
-static inline uint64_t random_key(uint64_t seed, uint64_t stroke, random_purpose purpose)
+static inline uint64_t random_key(uint64_t seed, uint64_t identity, random_purpose purpose)
 {
-    return random_mix(random_mix(seed + 0x9e3779b97f4a7c15u) ^ stroke) + 0x632be59bd9b4e019u * (uint64_t)purpose;
+    return random_mix(random_mix(seed + 0x9e3779b97f4a7c15u) ^ identity) + 0x632be59bd9b4e019u * (uint64_t)purpose;
 }
 
 static inline uint64_t random_bits(uint64_t key, uint64_t index)

@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A track: one subpath as a polyline, on its way from path to strokes. Each step of the plan takes tracks and hands
+ * on tracks.
+ */
+#ifndef PLB_PLAN_TRACK_H
+#define PLB_PLAN_TRACK_H
+
+#include "base/array.h"
+#include "base/error.h"
+#include "base/path.h"
+#include "list/list.h"
+
+#include <stdbool.h>
+#include <stdint.h>
+
+typedef struct {
+    point at;    /* mm */
+    bool corner; /* the line turns by more than CORNER_DEGREES here; false at the ends */
+} track_point;
+
+typedef struct {
+    ARRAY(track_point) points; /* no two neighbours equal; of a closed track, first and last are the same point */
+    bool closed;
+    double start; /* arc length from the subpath's beginning to the first point, mm: where its dashes stand */
+} track;
+
+/* Receives a track; it stays the sender's. False stops the work (the receiver has filled its error). */
+typedef bool (*track_sink)(void *closure, const track *t);
+
+/* A turn beyond this ends a stroke (chosen by eye: the papers know single lines only). */
+#define CORNER_DEGREES 30.0
+/* Curves become polylines that keep within this distance of them: half the 0.05 mm that is asked for. */
+#define FLATNESS_MM 0.025
+/* No vertex inside a flattened curve turns by more than about this, whatever its size. */
+#define FLAT_TURN_DEGREES 12.0
+/* Points closer than this are one. */
+#define SAME_POINT_MM 1e-5
+
+/* flatten.c: subpaths of `p` as tracks, with corners marked. A subpath without length becomes a track of one point. */
+bool plb_plan_flatten(const path *p, track_sink sink, void *closure, error *err);
+
+/* clip.c: the parts of tracks inside a clip chain and the page. */
+typedef struct clipper clipper;
+clipper *plb_clipper_new(const display_list *list, error *err);
+void plb_clipper_free(clipper *c);
+/* `index` is an item's clip or NO_CLIP. */
+bool plb_plan_clip(clipper *c, int index, const track *t, track_sink sink, void *closure, error *err);
+
+/* dash.c: the dashes of a track; the track itself when `it` has none. */
+bool plb_plan_dash(const item *it, const track *t, track_sink sink, void *closure, error *err);
+
+/* corner.c: a track cut at its corners; a closed one is first turned to start at a corner. */
+bool plb_plan_corners(const track *t, track_sink sink, void *closure, error *err);
+
+#endif
