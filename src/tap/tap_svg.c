@@ -1,0 +1,371 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * tap-svg: SVG or SVGZ on descriptor 0 becomes CairoScript on descriptor 1. librsvg draws the document on cairo's
+ * script surface, which writes down what is drawn. No file is named, so none is opened.
+ *
+ *     tap-svg [--recover] [--no-text]
+ *
+ * --recover sends the document through libxml2's recovery parser first; --no-text leaves all text out.
+ * The first line of the output gives the page and the map from the script's units back to millimetres:
+ *
+ *     %%Plumbago-tap 1 WIDTH HEIGHT XX YX XY YY X0 Y0 IMAGES MASKS FILTERS
+ *
+ * The last three count what is left out on purpose: images are pixels, masks and filters would turn lines into pixels.
+ *
+ * The page is turned while it is recorded, for two faults of cairo 1.16's script surface: it refuses filled outlines
+ * of horizontal and vertical lines that are not boxes ("input path data not valid"), and aborts on boxes left of
+ * -9999. No outline is rectilinear once turned by an odd angle. The turn is a style of the root element and not
+ * cairo's own matrix, because librsvg takes the latter away again inside groups with opacity.
+ */
+#include <cairo-script.h>
+#include <libxml/parser.h>
+#include <libxml/tree.h>
+#include <librsvg/rsvg.h>
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+/* What the caller acts on; the message is one line on standard error. */
+enum { EXIT_DONE, EXIT_USAGE, EXIT_MALFORMED, EXIT_REFUSED, EXIT_WRITE, EXIT_LIMIT };
+
+#define MAX_BYTES ((size_t)256 << 20) /* of the document, unpacked */
+#define LIBXML_TEXT ((size_t)10000000) /* libxml2 refuses longer attributes unless told otherwise */
+#define PAGE_UNITS 4096.0             /* of the longer side: a step of cairo's 24.8 numbers is 1 um on an A0 sheet */
+#define TURN_DEGREES 19.3717          /* no drawing is likely to hold this angle */
+#define MM_PER_PX (25.4 / 96)         /* CSS Values 3, section 6.2 */
+#define PX_MAX (100e3 / MM_PER_PX)    /* 100 m */
+#define PX_EMPTY 100.0                /* page of a drawing without size that draws nothing; chosen by eye */
+
+typedef struct {
+    double width, height; /* px */
+    double x, y;          /* px: the page's corner, when the size is that of the drawn parts */
+    bool by_extents;
+} page;
+
+static void __attribute__((noreturn, format(printf, 2, 3))) quit(int status, const char *format, ...)
+{
+    va_list args;
+    va_start(args, format);
+    char text[400];
+    vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    for (char *p = text; *p; p++)
+        if (*p == '\n' || *p == '\r')
+            *p = ' ';
+    fprintf(stderr, "%s\n", text);
+    exit(status);
+}
+
+/* ---- output: one big buffer, since cairo writes each number by itself -------------------------------------- */
+
+static unsigned char out[1 << 16];
+static size_t out_used;
+
+static void flush_out(void)
+{
+    for (size_t done = 0; done < out_used;) {
+        ssize_t n = write(STDOUT_FILENO, out + done, out_used - done);
+        if (n < 0)
+            _exit(EXIT_WRITE); /* the reader went away: nobody is left to tell */
+        done += (size_t)n;
+    }
+    out_used = 0;
+}
+
+static cairo_status_t put(void *closure, const unsigned char *data, unsigned n)
+{
+    (void)closure;
+    while (n) {
+        size_t part = sizeof out - out_used < n ? sizeof out - out_used : n;
+        memcpy(out + out_used, data, part);
+        out_used += part;
+        data += part;
+        n -= (unsigned)part;
+        if (out_used == sizeof out)
+            flush_out();
+    }
+    return CAIRO_STATUS_SUCCESS;
+}
+
+/* ---- input ------------------------------------------------------------------------------------------------ */
+
+static GByteArray *read_stream(GInputStream *from)
+{
+    GByteArray *all = g_byte_array_new();
+    unsigned char part[1 << 16];
+    GError *error = NULL;
+    gssize n;
+    while ((n = g_input_stream_read(from, part, sizeof part, NULL, &error)) > 0) {
+        if (all->len + (size_t)n > MAX_BYTES)
+            quit(EXIT_LIMIT, "the document is larger than %zu MB", MAX_BYTES >> 20);
+        g_byte_array_append(all, part, (guint)n);
+    }
+    if (n < 0 && !all->len)
+        quit(EXIT_MALFORMED, "cannot unpack: %s", error->message);
+    return all; /* what came before the fault of a damaged file may still draw */
+}
+
+static GByteArray *read_document(void)
+{
+    GByteArray *all = g_byte_array_new();
+    ssize_t n;
+    unsigned char part[1 << 16];
+    while ((n = read(STDIN_FILENO, part, sizeof part)) > 0) {
+        if (all->len + (size_t)n > MAX_BYTES)
+            quit(EXIT_LIMIT, "the document is larger than %zu MB", MAX_BYTES >> 20);
+        g_byte_array_append(all, part, (guint)n);
+    }
+    if (all->len < 2 || all->data[0] != 0x1f || all->data[1] != 0x8b)
+        return all;
+    GInputStream *packed = g_memory_input_stream_new_from_data(all->data, (gssize)all->len, NULL);
+    GConverter *unzip = G_CONVERTER(g_zlib_decompressor_new(G_ZLIB_COMPRESSOR_FORMAT_GZIP));
+    return read_stream(g_converter_input_stream_new(packed, unzip));
+}
+
+/* First `what` in text[from..size), or size. */
+static size_t find(const GByteArray *text, size_t from, size_t to, const char *what)
+{
+    size_t n = strlen(what);
+    while (from + n <= to) {
+        const unsigned char *hit = memchr(text->data + from, what[0], to - from - n + 1);
+        if (!hit)
+            break;
+        from = (size_t)(hit - text->data);
+        if (!memcmp(hit, what, n))
+            return from;
+        from++;
+    }
+    return to;
+}
+
+static unsigned long count(const GByteArray *text, const char *const what[])
+{
+    unsigned long n = 0;
+    for (; *what; what++)
+        for (size_t at = 0; (at = find(text, at, text->len, *what)) < text->len; at++)
+            n++;
+    return n;
+}
+
+/* ---- recovery --------------------------------------------------------------------------------------------- */
+
+static void silence(void *context, const char *format, ...)
+{
+    (void)context;
+    (void)format;
+}
+
+/* The document as libxml2's recovery parser understands it: cut off where it must be, tags closed, no entity
+ * expanded, nothing loaded. Bytes that are not the UTF-8 they claim to be are read as Latin-1. */
+static GByteArray *recover(GByteArray *text)
+{
+    for (size_t i = 0; i < text->len; i++)
+        if (text->data[i] < ' ' && text->data[i] != '\n' && text->data[i] != '\r' && text->data[i] != '\t')
+            text->data[i] = ' ';
+    bool utf8 = g_utf8_validate((const char *)text->data, (gssize)text->len, NULL);
+    xmlSetGenericErrorFunc(NULL, silence);
+    xmlDoc *doc = xmlReadMemory((const char *)text->data, (int)text->len, NULL, utf8 ? NULL : "ISO-8859-1",
+                                XML_PARSE_RECOVER | XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
+    if (!doc || !xmlDocGetRootElement(doc))
+        quit(EXIT_MALFORMED, "nothing to recover");
+    xmlChar *mended = NULL;
+    int size = 0;
+    xmlDocDumpMemoryEnc(doc, &mended, &size, "UTF-8");
+    if (!mended)
+        quit(EXIT_LIMIT, "out of memory");
+    xmlFreeDoc(doc);
+    GByteArray *result = g_byte_array_new();
+    g_byte_array_append(result, mended, (guint)size);
+    xmlFree(mended);
+    return result;
+}
+
+/* ---- the document ----------------------------------------------------------------------------------------- */
+
+static RsvgHandle *load(const GByteArray *text)
+{
+    GInputStream *stream = g_memory_input_stream_new_from_data(text->data, (gssize)text->len, NULL);
+    RsvgHandleFlags flags = text->len > LIBXML_TEXT ? RSVG_HANDLE_FLAG_UNLIMITED : RSVG_HANDLE_FLAGS_NONE;
+    GError *error = NULL;
+    RsvgHandle *svg = rsvg_handle_new_from_stream_sync(stream, NULL, flags, NULL, &error);
+    if (!svg)
+        quit(EXIT_MALFORMED, "%s", error->message);
+    rsvg_handle_set_dpi(svg, 96);
+    return svg;
+}
+
+/* True when the document may turn its root element itself, by an attribute or a style rule: that wins over ours. */
+static bool root_is_transformed(const GByteArray *text)
+{
+    size_t at = find(text, 0, text->len, "svg");
+    while (at < text->len && at > 0 && text->data[at - 1] != '<' && text->data[at - 1] != ':')
+        at = find(text, at + 1, text->len, "svg");
+    size_t end = find(text, at, text->len, ">");
+    if (find(text, at, end, "transform") < end)
+        return true;
+    for (at = 0; (at = find(text, at, text->len, "<style")) < text->len; at = end) {
+        end = find(text, at, text->len, "</style");
+        if (find(text, at, end, "transform") < end &&
+            (find(text, at, end, "svg") < end || find(text, at, end, ":root") < end))
+            return true;
+    }
+    return false;
+}
+
+static double px_of_length(RsvgLength length, double whole)
+{
+    static const double px[] = {
+        [RSVG_UNIT_PX] = 1,          [RSVG_UNIT_EM] = 16,         [RSVG_UNIT_EX] = 8,          [RSVG_UNIT_IN] = 96,
+        [RSVG_UNIT_CM] = 96 / 2.54,  [RSVG_UNIT_MM] = 96 / 25.4,  [RSVG_UNIT_PT] = 96.0 / 72,  [RSVG_UNIT_PC] = 16,
+    };
+    return length.length * (length.unit == RSVG_UNIT_PERCENT ? whole : px[length.unit]);
+}
+
+/* Width and height as a browser sizes an image: a missing one follows from the viewBox, a percentage is of it. */
+static bool size_by_attributes(RsvgHandle *svg, page *p)
+{
+    RsvgLength w, h;
+    RsvgRectangle box;
+    gboolean has_w, has_h, has_box;
+    rsvg_handle_get_intrinsic_dimensions(svg, &has_w, &w, &has_h, &h, &has_box, &box);
+    bool fixed_w = has_w && w.unit != RSVG_UNIT_PERCENT, fixed_h = has_h && h.unit != RSVG_UNIT_PERCENT;
+    if (!has_box && !(fixed_w && fixed_h))
+        return false;
+    p->width = px_of_length(w, has_box ? box.width : 0);
+    p->height = px_of_length(h, has_box ? box.height : 0);
+    if (fixed_w && !fixed_h && box.width > 0)
+        p->height = p->width * box.height / box.width;
+    if (fixed_h && !fixed_w && box.height > 0)
+        p->width = p->height * box.width / box.height;
+    return true;
+}
+
+static void size_by_extents(RsvgHandle *svg, page *p)
+{
+    RsvgRectangle viewport = {0, 0, PX_EMPTY, PX_EMPTY}, ink;
+    p->by_extents = true;
+    p->width = p->height = PX_EMPTY;
+    if (!rsvg_handle_get_geometry_for_layer(svg, NULL, &viewport, &ink, NULL, NULL) || !(ink.width + ink.height > 0))
+        return;
+    p->x = ink.x;
+    p->y = ink.y;
+    p->width = ink.width > 0 ? ink.width : 1;
+    p->height = ink.height > 0 ? ink.height : 1;
+}
+
+static page find_page(RsvgHandle *svg)
+{
+    page p = {0};
+    if (!size_by_attributes(svg, &p))
+        size_by_extents(svg, &p);
+    if (!(p.width > 0 && p.height > 0))
+        quit(EXIT_REFUSED, "the drawing has no width or no height");
+    if (!(p.width <= PX_MAX && p.height <= PX_MAX))
+        quit(EXIT_REFUSED, "the drawing is larger than 100 m");
+    return p;
+}
+
+/* ---- drawing ---------------------------------------------------------------------------------------------- */
+
+/* How the page lies on the script surface: magnified by `scale`, turned, moved right so that it is all positive. */
+typedef struct {
+    cairo_matrix_t turn; /* page units (px times scale) to the surface */
+    double scale;
+    double width, height; /* of the turned page */
+} placing;
+
+static placing place(const page *p)
+{
+    double scale = PAGE_UNITS / fmax(p->width, p->height), w = p->width * scale, h = p->height * scale;
+    double a = TURN_DEGREES * G_PI / 180, c = cos(a), s = sin(a);
+    return (placing){.turn = {c, s, -s, c, h * s, 0}, .scale = scale, .width = w * c + h * s, .height = w * s + h * c};
+}
+
+static void write_head(const page *p, const placing *l, const GByteArray *text)
+{
+    static const char *const images[] = {"<image", ":image ", NULL};
+    static const char *const masks[] = {"mask=\"url", "mask='url", "mask:url", "mask: url", NULL};
+    static const char *const filters[] = {"filter=\"url", "filter='url", "filter:url", "filter: url", NULL};
+    cairo_matrix_t back = l->turn;
+    cairo_matrix_invert(&back);
+    double k = MM_PER_PX / l->scale;
+    char line[400];
+    int n = snprintf(line, sizeof line, "%%%%Plumbago-tap 1 %.9g %.9g %.12g %.12g %.12g %.12g %.12g %.12g %lu %lu %lu\n",
+                     p->width * MM_PER_PX, p->height * MM_PER_PX, back.xx * k, back.yx * k, back.xy * k, back.yy * k,
+                     back.x0 * k, back.y0 * k, count(text, images), count(text, masks), count(text, filters));
+    put(NULL, (const unsigned char *)line, (unsigned)n);
+}
+
+/* The turn (unless the document's own would win), and what would only make pixels switched off: the drawing behind
+ * masks and filters stays. Pattern tiles are drawn upright, out of the turn's reach, and nobody reads them. */
+static void set_style(RsvgHandle *svg, const placing *l, double magnify, const page *p, bool by_style, bool no_text)
+{
+    char style[700] = "", turn[200] = "";
+    if (by_style)
+        snprintf(turn, sizeof turn, ":root{transform:translate(%.9gpx,0px) rotate(%.9gdeg) scale(%.12g) translate(%.9gpx,%.9gpx)}",
+                 l->turn.x0, TURN_DEGREES, magnify, -p->x, -p->y);
+    snprintf(style, sizeof style, "%s*{filter:none!important;mask:none!important}image{display:none!important}"
+             "pattern *{fill:none!important;stroke:none!important}%s", turn, no_text ? "text,tspan{display:none!important}" : "");
+    GError *error = NULL;
+    if (!rsvg_handle_set_stylesheet(svg, (const guint8 *)style, strlen(style), &error))
+        quit(EXIT_REFUSED, "%s", error->message);
+}
+
+static void draw(RsvgHandle *svg, const GByteArray *text, const page *p, bool no_text)
+{
+    placing l = place(p);
+    bool by_style = !root_is_transformed(text);
+    /* The viewport holds the turned page: librsvg makes the surfaces of groups as large as it. */
+    double fit = fmin(6, fmax(l.width / (p->width * l.scale), l.height / (p->height * l.scale)));
+    RsvgRectangle viewport = {0, 0, p->width * l.scale * (by_style ? fit : 1), p->height * l.scale * (by_style ? fit : 1)};
+    if (p->by_extents)
+        viewport = (RsvgRectangle){0, 0, PX_EMPTY, PX_EMPTY};
+    set_style(svg, &l, p->by_extents ? l.scale : 1 / fit, p, by_style, no_text);
+    write_head(p, &l, text);
+    cairo_device_t *script = cairo_script_create_for_stream(put, NULL);
+    cairo_surface_t *surface = cairo_script_surface_create(script, CAIRO_CONTENT_COLOR_ALPHA, l.width, l.height);
+    cairo_t *cr = cairo_create(surface);
+    if (!by_style) {
+        cairo_set_matrix(cr, &l.turn);
+        if (p->by_extents) {
+            cairo_scale(cr, l.scale, l.scale);
+            cairo_translate(cr, -p->x, -p->y);
+        }
+    }
+    GError *error = NULL;
+    bool done = rsvg_handle_render_document(svg, cr, &viewport, &error);
+    cairo_status_t status = cairo_status(cr);
+    cairo_destroy(cr);
+    cairo_surface_destroy(surface);
+    cairo_device_finish(script);
+    cairo_device_destroy(script);
+    flush_out();
+    if (!done || status)
+        quit(EXIT_REFUSED, "librsvg stopped: %s", done ? cairo_status_to_string(status) : error->message);
+}
+
+int main(int argc, char **argv)
+{
+    bool mend = false, no_text = false;
+    for (int i = 1; i < argc; i++) {
+        if (!strcmp(argv[i], "--recover"))
+            mend = true;
+        else if (!strcmp(argv[i], "--no-text"))
+            no_text = true;
+        else
+            quit(EXIT_USAGE, "usage: tap-svg [--recover] [--no-text] <drawing.svg >script");
+    }
+    GByteArray *text = read_document();
+    if (mend)
+        text = recover(text);
+    RsvgHandle *svg = load(text);
+    page p = find_page(svg);
+    draw(svg, text, &p, no_text);
+    g_object_unref(svg);
+    return EXIT_DONE;
+}
