@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Stroke, stage 1: where the arm passes (001 section 3.1; thesis section 3.2).
+ * Input: the length of the line, mm, and the address of its random numbers. Output: control points in the line's own
+ * frame, mm.
+ *
+ * Flash & Hogan's minimum-jerk movement between two points (001 equation 1) runs
+ *
+ *     x(t) = x0 + (x0 - xf) (15 tau^4 - 6 tau^5 - 10 tau^3),   tau = t / tf,   t in [0, 2]
+ *
+ * and is sampled at steps of dt that grow shorter as the line grows longer (001 table 1). The last control point is
+ * at tf whatever dt is. The inner control points are pushed off the line by D, uniform in ±5 px of 1/300 inch.
+ */
+#include "base/random.h"
+#include "base/units.h"
+#include "stroke/stroke.h"
+
+#include <math.h>
+
+/* 001 section 3.1: "t_final = 2 provides satisfactory results, regardless of line length". */
+#define T_FINAL 2.0
+
+/* 001 table 1; the third row's value is printed in the thesis' table 3.1 only. Lengths in px of 1/300 inch. */
+static const struct {
+    double up_to_px, time_step;
+} time_steps[] = {{200, 0.5}, {400, 0.3}, {INFINITY, 0.2}};
+
+/* 001 section 3.1: D in [-5, +5] px. 002 section 3.1: [-3, +3] px, with a restoring force k1 = 0.1. */
+#define SQUIGGLE_JERK_PX 5.0
+#define SQUIGGLE_SPRING_PX 3.0
+#define SPRING_K1 0.1
+
+/* Below this length D shrinks in proportion. The papers are silent; at full size it would tear small shapes apart.
+ * Chosen by eye: 100 px, half of the first row of table 1, so that D is at most 5 % of the length. */
+#define FULL_SQUIGGLE_PX 100.0
+
+static double time_step_of(double length)
+{
+    double px = length / MM_PER_PAPER_PX;
+    size_t i = 0;
+    while (px > time_steps[i].up_to_px)
+        i++;
+    return time_steps[i].time_step;
+}
+
+/* The share of the way done at tau: 10 tau^3 - 15 tau^4 + 6 tau^5. */
+static double minimum_jerk(double tau)
+{
+    return tau * tau * tau * (10 + tau * (6 * tau - 15));
+}
+
+double plb_path_squiggle(double length, const stroke_options *o)
+{
+    double own = (o->arm == ARM_SPRING ? SQUIGGLE_SPRING_PX : SQUIGGLE_JERK_PX) * MM_PER_PAPER_PX;
+    double d = o->squiggle < 0 ? own : o->squiggle;
+    double full = FULL_SQUIGGLE_PX * MM_PER_PAPER_PX;
+    return length < full ? d * length / full : d;
+}
+
+/* 001: independent deviations. */
+static void deviate_freely(control *c, size_t n, double d, uint64_t key)
+{
+    for (size_t k = 1; k + 1 < n; k++)
+        c[k].off = d * (2 * random_unit(key, k) - 1);
+}
+
+/* 002 equations 2 and 3: a deviational force D, renewed at each step, against a spring that pulls back towards the
+ * control point before: F = D - k1 R, R the way from the one to the other, with unit mass and time step. */
+static void deviate_on_spring(control *c, size_t n, double d, uint64_t key)
+{
+    for (size_t k = 1; k + 1 < n; k++) {
+        double force = d * (2 * random_unit(key, k) - 1);
+        double way = force - c[k - 1].off;
+        c[k].off = force - SPRING_K1 * way;
+    }
+}
+
+size_t plb_path_controls(double length, uint64_t identity, const stroke_options *o, control out[CONTROLS_MAX])
+{
+    double dt = time_step_of(length);
+    size_t steps = (size_t)ceil(T_FINAL / dt - 1e-9), n = steps + 1;
+    for (size_t k = 0; k < n; k++) {
+        double t = k == steps ? T_FINAL : dt * (double)k;
+        out[k] = (control){length * minimum_jerk(t / T_FINAL), 0};
+    }
+    uint64_t key = random_key(o->seed, identity, PURPOSE_SQUIGGLE);
+    double d = plb_path_squiggle(length, o);
+    if (o->arm == ARM_SPRING)
+        deviate_on_spring(out, n, d, key);
+    else
+        deviate_freely(out, n, d, key);
+    return n;
+}

@@ -1,0 +1,203 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Stroke, stage 6: the strip is laid along the path.
+ * Input: a strip (pixels of the profile), the drawn path (mm). Output: patches (pixels of the page).
+ *
+ * Each straight piece of the path owns the pixels between the two lines that bisect its joints, so every pixel beside
+ * a smooth path belongs to one piece, and a joint shows neither gap nor overlap: both pieces see a pixel on their
+ * common bisector at the same distance, and `along` is interpolated between the bisectors. The strip is read between
+ * its pixels by bilinear interpolation; where a page pixel covers several strip pixels it is the mean of a grid of
+ * samples.
+ *
+ *     piece i:   a(q) = (q - P_i) . B_i >= 0,   b(q) = (q - P_i+1) . B_i+1 < 0,   B the tangent at the joint
+ *                across(q) = cross(T_i, q - P_i),   along(q) = s_i + len_i a / (a - b)
+ */
+#include "base/units.h"
+#include "stroke/stroke.h"
+
+#include <math.h>
+#include <string.h>
+
+/* A patch is handed on when its bounds pass this many pixels (chosen by measurement: a diagonal's patches stay
+ * mostly line, a level line's patches long). */
+#define PATCH_AREA 2400
+/* At most this many samples a page pixel in each direction: enough for 300 dpi pencils at 18 dpi. */
+#define MOST_SAMPLES 16
+
+typedef struct {
+    const strip *s;
+    double strip_px;      /* strip pixels per page pixel */
+    int samples;          /* per page pixel and direction */
+    double half_width;    /* page pixels */
+    patch p;
+    int x1, y1;           /* the patch covers [p.x, x1) × [p.y, y1); empty when x1 <= p.x */
+    uint16_t *sum;        /* of darkness, PATCH_SIDE × PATCH_SIDE */
+    patch_sink sink;
+    void *closure;
+} mapper;
+
+/* A piece of the path in page pixels. */
+typedef struct {
+    point p0, p1, b0, b1, t;
+    double length, s0; /* s0 in strip pixels */
+    int x0, y0, x1, y1; /* page pixels it may touch */
+} piece;
+
+/* Darkness (255 - grey) of the strip, 8 fractional bits, at a place in strip pixels; nothing outside. */
+static inline int read_strip(const strip *s, double x, double y)
+{
+    if (!(x >= 0 && y >= 0 && x < s->columns - 1 && y < s->rows - 1))
+        return 0;
+    int ix = (int)x, iy = (int)y;
+    int fx = (int)((x - ix) * 256), fy = (int)((y - iy) * 256);
+    const uint8_t *p = s->grey + (size_t)iy * (size_t)s->columns + ix, *q = p + s->columns;
+    int top = p[0] * (256 - fx) + p[1] * fx, bottom = q[0] * (256 - fx) + q[1] * fx;
+    return 255 * 256 - ((top * (256 - fy) + bottom * fy + 128) >> 8);
+}
+
+static bool flush(mapper *m)
+{
+    bool ok = true;
+    int w = m->x1 - m->p.x, h = m->y1 - m->p.y, n = m->samples * m->samples;
+    if (w > 0 && h > 0) {
+        m->p.width = w;
+        m->p.height = h;
+        for (int y = 0; y < h; y++)
+            for (int x = 0; x < w; x++) {
+                int darkness = (m->sum[y * PATCH_SIDE + x] + n / 2) / n; /* sums hold whole greys */
+                m->p.grey[y * w + x] = (uint8_t)(255 - (darkness > 255 ? 255 : darkness));
+            }
+        ok = m->sink(m->closure, &m->p);
+        for (int y = 0; y < h; y++)
+            memset(m->sum + y * PATCH_SIDE, 0, (size_t)w * sizeof *m->sum);
+    }
+    m->x1 = m->p.x = 0;
+    return ok;
+}
+
+/* Makes room in the patch for the piece; false when the sink stops. */
+static bool make_room(mapper *m, const piece *k)
+{
+    if (m->x1 <= m->p.x) {
+        m->p.x = k->x0;
+        m->p.y = k->y0;
+        m->x1 = k->x1;
+        m->y1 = k->y1;
+        return true;
+    }
+    int x0 = k->x0 < m->p.x ? k->x0 : m->p.x, y0 = k->y0 < m->p.y ? k->y0 : m->p.y;
+    int x1 = k->x1 > m->x1 ? k->x1 : m->x1, y1 = k->y1 > m->y1 ? k->y1 : m->y1;
+    bool fits = x0 == m->p.x && y0 == m->p.y && x1 - x0 <= PATCH_SIDE && y1 - y0 <= PATCH_SIDE && (x1 - x0) * (y1 - y0) <= PATCH_AREA;
+    if (!fits)
+        return flush(m) && make_room(m, k);
+    m->x1 = x1;
+    m->y1 = y1;
+    return true;
+}
+
+/* Narrows [*low, *high] to the x where c0 + c1 x >= 0. */
+static void narrow(double c0, double c1, double *low, double *high)
+{
+    if (c1 > 0 && -c0 / c1 > *low)
+        *low = -c0 / c1;
+    else if (c1 < 0 && -c0 / c1 < *high)
+        *high = -c0 / c1;
+    else if (c1 == 0 && c0 < 0)
+        *high = *low - 1;
+}
+
+/* One row of samples of one piece, at height y (page pixels). */
+static void map_row(mapper *m, const piece *k, double y, uint16_t *sum)
+{
+    double step = 1.0 / m->samples, first = k->x0 + step / 2;
+    double dy0 = y - k->p0.y, dy1 = y - k->p1.y;
+    double a0 = (first - k->p0.x) * k->b0.x + dy0 * k->b0.y, b0 = (first - k->p1.x) * k->b1.x + dy1 * k->b1.y;
+    double u0 = k->t.x * dy0 - k->t.y * (first - k->p0.x), us = -k->t.y * step, h = m->half_width;
+    double low = -0.5, high = (double)(k->x1 - k->x0) * m->samples - 0.5;
+    narrow(a0, k->b0.x * step, &low, &high);
+    narrow(-b0, -k->b1.x * step, &low, &high);
+    narrow(h + u0, us, &low, &high);
+    narrow(h - u0, -us, &low, &high);
+    double middle = (m->s->rows - 1) / 2.0;
+    for (int i = low < 0 ? 0 : (int)ceil(low - 1e-9); i <= high + 1e-9; i++) {
+        double a = a0 + i * k->b0.x * step, b = b0 + i * k->b1.x * step, u = u0 + i * us;
+        if (a < 0 || b >= 0 || u > h || u < -h)
+            continue;
+        double along = k->s0 + k->length * m->strip_px * a / (a - b);
+        sum[i / m->samples] = (uint16_t)(sum[i / m->samples] + ((read_strip(m->s, along, u * m->strip_px + middle) + 128) >> 8));
+    }
+}
+
+static int clamp_pixel(double v)
+{
+    return v < -1e6 ? -1000000 : v > 1e6 ? 1000000 : (int)v;
+}
+
+static piece piece_of(const mapper *m, const path_sample *from, const path_sample *to, double px, bool first, bool last)
+{
+    piece k = {.p0 = point_scale(from->at, px), .p1 = point_scale(to->at, px), .b0 = from->tangent, .b1 = to->tangent};
+    point d = point_sub(k.p1, k.p0);
+    k.length = plb_point_length(d);
+    k.t = point_scale(d, 1 / k.length);
+    k.s0 = from->along * px * m->strip_px + 1.5; /* the strip's margin is 2 px; sample 0 is the middle of its pixel */
+    double over = 1.5 / m->strip_px; /* beyond the ends lies the strip's margin, into which the blur has run */
+    if (first || last) {
+        if (first) {
+            k.p0 = point_sub(k.p0, point_scale(k.t, over));
+            k.s0 -= 1.5;
+            k.b0 = k.t;
+        }
+        if (last) {
+            k.p1 = point_add(k.p1, point_scale(k.t, over));
+            k.b1 = k.t;
+        }
+        k.length += (first + last) * over;
+    }
+    double r = m->half_width + 1;
+    k.x0 = clamp_pixel(floor(fmin(k.p0.x, k.p1.x) - r));
+    k.y0 = clamp_pixel(floor(fmin(k.p0.y, k.p1.y) - r));
+    k.x1 = clamp_pixel(ceil(fmax(k.p0.x, k.p1.x) + r));
+    k.y1 = clamp_pixel(ceil(fmax(k.p0.y, k.p1.y) + r));
+    return k;
+}
+
+/* A piece whose bounds do not fit a patch is mapped in windows. */
+static bool map_window(mapper *m, piece k)
+{
+    if (!make_room(m, &k))
+        return false;
+    for (int y = k.y0; y < k.y1; y++)
+        for (int j = 0; j < m->samples; j++)
+            map_row(m, &k, y + (j + 0.5) / m->samples, m->sum + (y - m->p.y) * PATCH_SIDE + (k.x0 - m->p.x));
+    return true;
+}
+
+static bool map_piece(mapper *m, piece k)
+{
+    for (int y = k.y0; y < k.y1; y += PATCH_SIDE)
+        for (int x = k.x0; x < k.x1; x += PATCH_SIDE) {
+            piece window = k;
+            window.x0 = x;
+            window.y0 = y;
+            window.x1 = x + PATCH_SIDE < k.x1 ? x + PATCH_SIDE : k.x1;
+            window.y1 = y + PATCH_SIDE < k.y1 ? y + PATCH_SIDE : k.y1;
+            if (!map_window(m, window))
+                return false;
+        }
+    return true;
+}
+
+bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, patch_sink sink, void *closure)
+{
+    mapper m = {.s = s, .strip_px = strip_dpi / dpi, .sink = sink, .closure = closure};
+    double n = ceil(m.strip_px - 0.01);
+    m.samples = n < 1 ? 1 : n > MOST_SAMPLES ? MOST_SAMPLES : (int)n;
+    m.half_width = (s->rows - 1) / 2.0 / m.strip_px;
+    m.sum = plb_new((size_t)PATCH_SIDE * PATCH_SIDE, sizeof *m.sum);
+    bool ok = m.sum;
+    for (size_t i = 0; ok && i + 1 < path->n; i++)
+        ok = map_piece(&m, piece_of(&m, path->v + i, path->v + i + 1, dpi / MM_PER_INCH, i == 0, i + 2 == path->n));
+    ok = ok && flush(&m);
+    plb_free(m.sum);
+    return ok;
+}

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * One stroke: the stages in order.
+ */
+#include "stroke/stroke.h"
+
+#include "base/units.h"
+#include "stroke/pencil.h"
+
+void plb_stroke_scratch_free(stroke_scratch *s)
+{
+    array_free(&s->path);
+    plb_strip_free(&s->strip);
+}
+
+bool plb_texture(strip *s, double length_px, const pencil *p, uint64_t seed, uint64_t identity, error *err)
+{
+    if (!plb_texture_fill(s, length_px, p, seed, identity, err))
+        return false;
+    plb_texture_ccm(s, p, NULL);
+    plb_texture_blur(s);
+    return true;
+}
+
+bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, patch_sink sink,
+                     void *closure, error *err)
+{
+    path_samples *path = &scratch->path;
+    double strip_dpi = o->pencil->profile->dpi;
+    if (!plb_path_sample(list, s, o, path, err))
+        return false;
+    if (path->n < 2)
+        return true;
+    double length_px = path->v[path->n - 1].along / MM_PER_INCH * strip_dpi;
+    if (!plb_texture(&scratch->strip, length_px, o->pencil, o->seed, s->identity, err))
+        return false;
+    return plb_strip_map(&scratch->strip, strip_dpi, o->dpi, path, sink, closure);
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * One stroke of the pencil: the path of the arm, then the graphite along it. This folder is the science; it reads no
+ * file, draws on no surface and knows no clock. The model and its sources are told in plumbago(7).
+ */
+#ifndef PLB_STROKE_STROKE_H
+#define PLB_STROKE_STROKE_H
+
+#include "base/array.h"
+#include "base/error.h"
+#include "base/patch.h"
+#include "list/strokes.h"
+#include "profile/profile.h"
+
+typedef enum { ARM_JERK, ARM_SPRING } arm_model;
+
+/* A profile made ready for drawing: tables computed once. Immutable; shared by all strokes and threads. */
+typedef struct pencil pencil;
+/* Borrows `p`, which must live longer. NULL and `err` when out of memory. */
+pencil *plb_pencil_new(const profile *p, error *err);
+void plb_pencil_free(pencil *p);
+
+typedef struct {
+    const pencil *pencil;
+    uint64_t seed;
+    arm_model arm;
+    double squiggle; /* largest deviation D, mm, >= 0; negative: the arm's own */
+    double dpi;      /* of the page's pixels */
+} stroke_options;
+
+/* ---- stages, each usable and testable alone ---- */
+
+/* A control point in the line's own frame: how far along the line, how far off it (to the left of its direction). */
+typedef struct {
+    double along, off; /* mm */
+} control;
+#define CONTROLS_MAX 16
+
+/* The control points of a line of `length` mm (path_controls.c; 001 section 3.1). Their count, at most CONTROLS_MAX. */
+size_t plb_path_controls(double length, uint64_t identity, const stroke_options *o, control out[CONTROLS_MAX]);
+/* The largest deviation D in force for a line of `length` mm, in mm: it shrinks with short lines (plumbago(7)). */
+double plb_path_squiggle(double length, const stroke_options *o);
+
+/* A point of a drawn path. */
+typedef struct {
+    point at;      /* mm on the page */
+    point tangent; /* unit vector */
+    double along;  /* arc length from the start, mm */
+} path_sample;
+typedef ARRAY(path_sample) path_samples;
+
+/* The drawn path of stroke `s`, sampled closely enough to be joined by straight lines (path_spline.c). `out` is
+ * replaced. */
+bool plb_path_sample(const stroke_list *list, const stroke *s, const stroke_options *o, path_samples *out, error *err);
+/* The control points as places on the page, for --dump=controls. */
+size_t plb_path_control_points(const stroke_list *list, const stroke *s, const stroke_options *o, point out[CONTROLS_MAX]);
+
+/* The texture in the strip frame: `columns` along the line, `rows` across (odd, the middle row is the centreline),
+ * one byte a pixel of the profile's resolution, 255 = paper; row by row. */
+typedef struct {
+    int columns, rows;
+    size_t room;
+    uint8_t *grey, *spare; /* spare: of the same size, for the blur */
+} strip;
+void plb_strip_free(strip *s);
+
+/* Each step of 001 section 3.2 by itself (texture_fill.c, texture_ccm.c, texture_blur.c). */
+bool plb_texture_fill(strip *s, double length_px, const pencil *p, uint64_t seed, uint64_t identity, error *err);
+/* Returns the number of passes; `changes` (may be NULL, else room for CCM_MAX_PASSES) gets the changes of each. */
+#define CCM_MAX_PASSES 32
+int plb_texture_ccm(strip *s, const pencil *p, long changes[CCM_MAX_PASSES]);
+void plb_texture_blur(strip *s);
+/* All three in order. */
+bool plb_texture(strip *s, double length_px, const pencil *p, uint64_t seed, uint64_t identity, error *err);
+
+/* Lays the strip along the path and hands out the patches it makes on a page of `dpi` (strip_map.c). A pixel of the
+ * page belongs to one patch of a stroke only, except where the stroke crosses itself. */
+bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, patch_sink sink, void *closure);
+
+/* Room that a thread keeps from stroke to stroke. */
+typedef struct {
+    path_samples path;
+    strip strip;
+} stroke_scratch;
+void plb_stroke_scratch_free(stroke_scratch *s);
+
+/* The whole stroke. False and `err` when out of memory, over a limit, or when the sink stops it. */
+bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, patch_sink sink,
+                     void *closure, error *err);
+
+#endif

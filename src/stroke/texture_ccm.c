@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Stroke, stage 4: the co-occurrence matrix (001 section 3.2 and figure 4; thesis section 4.2 and table 4.1).
+ * Input: a filled strip. Output: the same strip in which neighbours that the matrix never saw have been replaced.
+ *
+ * For each pixel of the line and each of the other eight in its 3 × 3 neighbourhood: when the pair of greys does not
+ * exist in the matrix, the neighbour takes a grey that exists beside the pixel's; of those, the nearest to its own.
+ * The pass is repeated until the number of changes no longer falls.
+ */
+#include "stroke/pencil.h"
+
+static long pass(strip *s, const pencil *p)
+{
+    static const int dx[8] = {-1, 0, 1, -1, 1, -1, 0, 1}, dy[8] = {-1, -1, -1, 0, 0, 1, 1, 1};
+    int margin = (s->rows - (2 * p->half_rows + 1)) / 2;
+    int x0 = margin, x1 = s->columns - margin, y0 = margin, y1 = s->rows - margin;
+    long changes = 0;
+    for (int y = y0; y < y1; y++)
+        for (int x = x0; x < x1; x++) {
+            uint8_t *here = s->grey + (size_t)y * (size_t)s->columns + x;
+            const uint8_t *exists = p->nearest[*here];
+            for (int k = 0; k < 8; k++) {
+                int nx = x + dx[k], ny = y + dy[k];
+                if (nx < x0 || nx >= x1 || ny < y0 || ny >= y1)
+                    continue;
+                uint8_t *there = here + dy[k] * s->columns + dx[k];
+                changes += exists[*there] != *there;
+                *there = exists[*there];
+            }
+        }
+    return changes;
+}
+
+int plb_texture_ccm(strip *s, const pencil *p, long changes[CCM_MAX_PASSES])
+{
+    long last = -1;
+    for (int k = 0; k < CCM_MAX_PASSES; k++) {
+        long now = pass(s, p);
+        if (changes)
+            changes[k] = now;
+        if (now == 0 || (last >= 0 && now >= last))
+            return k + 1;
+        last = now;
+    }
+    return CCM_MAX_PASSES;
+}
