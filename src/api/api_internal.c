@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Errors and messages on their way out.
+ */
+#include "api/api_internal.h"
+
+#include <string.h>
+
+/* The two enumerations list the same kinds in the same order: one is the caller's, the other the library's. */
+_Static_assert((int)PLB_OK == ERROR_NONE && (int)PLB_ERROR_HELPER == ERROR_HELPER && (int)PLB_ERROR_LIMIT == ERROR_LIMIT,
+               "plb_status and error_kind must agree");
+
+bool plb_api_fail(plb_error *to, const error *from)
+{
+    if (to) {
+        to->status = (plb_status)from->kind;
+        _Static_assert(sizeof to->text >= sizeof from->text, "the text must fit");
+        memcpy(to->text, from->text, sizeof from->text);
+    }
+    return false;
+}
+
+static void say(void *closure, message_level level, const char *text)
+{
+    const api_adaptor *a = closure;
+    a->message(a->closure, level == MESSAGE_WARNING ? 0 : 1, text);
+}
+
+messenger plb_api_messenger(const api_adaptor *adaptor)
+{
+    messenger m = {adaptor->message ? say : NULL, (void *)(uintptr_t)adaptor};
+    return m;
+}
+
+const char *plb_version(void)
+{
+    return PLB_VERSION;
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the files of the interface share: the opaque types' insides, and the way from the library's own errors and
+ * messages to the caller's.
+ */
+#ifndef PLB_API_API_INTERNAL_H
+#define PLB_API_API_INTERNAL_H
+
+#include "api/plumbago.h"
+#include "base/error.h"
+#include "list/list.h"
+#include "list/strokes.h"
+#include "profile/profile.h"
+
+struct plb_profile {
+    profile *p;
+};
+
+struct plb_drawing {
+    display_list list;
+    stroke_list strokes;
+};
+
+/* Copies `from` to the caller's error (may be NULL). Returns false, for `return plb_api_fail(...)`. */
+bool plb_api_fail(plb_error *to, const error *from);
+
+/* The caller's message function as the library's messenger: `adaptor` must outlive what plb_api_messenger returns. */
+typedef struct {
+    plb_message_function message;
+    void *closure;
+} api_adaptor;
+messenger plb_api_messenger(const api_adaptor *adaptor);
+
+#endif
