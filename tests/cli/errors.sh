@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+# What can go wrong with files, and what then must not happen: no output is touched, and one line says why.
+. "$ROOT/tests/check.sh"
+example a.svg
+echo keep >kept.png
+
+refuses "a file that is not there" "nothing\.svg" nothing.svg
+refuses "a file in a folder that is not there" "no/where\.svg" no/where.svg
+refuses "a file with a file in its path" "a\.svg/b\.svg" a.svg/b.svg
+mkdir folder.svg
+refuses "a directory" "folder\.svg" folder.svg
+: >empty.svg
+refuses "an empty file" "empty\.svg" empty.svg
+refuses "no bytes on standard input" "stdin|standard input|-" - </dev/null
+head -c 20000 /dev/urandom >junk.svg
+refuses "random bytes" "junk\.svg" junk.svg
+head -c 20000 /dev/zero >zero.svg
+refuses "zeros" "zero\.svg" zero.svg
+echo "Dear reader, this is a letter." >letter.txt
+refuses "a text" "letter\.txt" letter.txt
+cp "$BUILD_DIR/plumbago" program && refuses "a program" "program" program
+rm program
+printf '\211PNG\r\n\032\n' >picture && refuses "a PNG" "picture" picture
+printf '<html><body>no drawing</body></html>' >page.html && refuses "a page of HTML" "page\.html" page.html
+printf '%%PDF-1.4\n%%junk\n' >broken.pdf && refuses "a broken PDF" "broken\.pdf" broken.pdf
+printf '\037\213\010\000junk' >broken.svgz && refuses "a broken svgz" "broken\.svgz" broken.svgz
+printf '<svg xmlns="http://www.w3.org/2000/svg" width="9" height="9"><path d="M1 1' >cut.svg
+plumbago cut.svg
+if [ $status -eq 0 ] || { [ $status -eq 1 ] && [ "$(wc -l <"$TMP/err")" -eq 1 ] && [ ! -e cut.png ]; }; then ok "a cut SVG: drawn as far as it goes, or refused"; else fail "a cut SVG: drawn as far as it goes, or refused" "exit status $status: $(head -n 1 "$TMP/err")"; fi
+rm -f cut.png
+printf '%%!PS\n10 10 moveto\n20 20 lineto\n) stroke\n' >bad.ps
+refuses "a fault in PostScript names its line" "bad\.ps:4: " bad.ps
+printf '%%!PS\n10 10 moveto\n20 frobnicate\nstroke\n' >unknown.ps
+refuses "an unknown PostScript operator is named, with its line" "unknown\.ps:3: .*frobnicate" unknown.ps
+mkfifo pipe.svg
+cat a.svg >pipe.svg &
+draws "a named pipe" -o pipe.png pipe.svg
+wait
+rm -f pipe.svg pipe.png
+refuses "a device that is empty" "/dev/null" -o x.png /dev/null
+
+if [ "$(id -u)" -ne 0 ]; then
+    cp a.svg secret.svg && chmod 000 secret.svg
+    refuses "an unreadable file" "secret\.svg" secret.svg
+    chmod 600 secret.svg && rm secret.svg
+    mkdir locked && cp a.svg locked/ && chmod 500 locked
+    refuses "a folder that may not be written" "locked" locked/a.svg
+    chmod 700 locked
+else
+    skip "an unreadable file" "root may read everything"
+    skip "a folder that may not be written" "root may write everywhere"
+fi
+
+# ---- the output ----
+refuses "an output folder that is not there" "no/x\.png" -o no/x.png a.svg
+mkdir out.png
+refuses "an output that is a directory" "out\.png" -o out.png a.svg
+refuses "an output named like a directory" "out\.png/" -o out.png/ a.svg
+rmdir out.png
+refuses "an output under a file" "a\.svg/x\.png" -o a.svg/x.png a.svg
+if [ -w /dev/full ]; then
+    refuses "a full device as output file" "/dev/full" -o /dev/full a.svg
+    if [ -c /dev/full ]; then ok "the device is still one"; else fail "the device is still one" "/dev/full was replaced"; fi
+    "$PLUMBAGO" -o - a.svg >/dev/full 2>"$TMP/err"
+    status=$?
+    is "standard output on a full device: status" $status 1
+    is "standard output on a full device: one line" "$(wc -l <"$TMP/err")" 1
+    "$PLUMBAGO" --dump=list a.svg >/dev/full 2>"$TMP/err"
+    is "a dump on a full device" $? 1
+    "$PLUMBAGO" --dump=strokes a.svg >/dev/full 2>"$TMP/err"
+    is "a dump of strokes on a full device" $? 1
+    for option in --help --version --list-pencils; do
+        "$PLUMBAGO" $option >/dev/full 2>"$TMP/err"
+        is "$option on a full device" $? 1
+    done
+else
+    skip "full devices" "no /dev/full here"
+fi
+draws "a device as output file" -o /dev/null a.svg
+if [ -c /dev/null ]; then ok "/dev/null is still a device"; else fail "/dev/null is still a device" "it was replaced"; fi
+
+# ---- an output that is there already ----
+for bad in nothing.svg empty.svg junk.svg bad.ps; do
+    plumbago -o kept.png $bad
+    is "a failure with $bad leaves the output alone" "$(cat kept.png)" keep
+done
+cp kept.png a.png
+plumbago -p 9B a.svg
+is "a failure with a pencil leaves the output alone" "$(cat a.png)" keep
+plumbago a.svg
+if tool png_info a.png >/dev/null 2>&1; then ok "a success replaces it"; else fail "a success replaces it" "a.png is no PNG"; fi
+cp kept.png target.png && ln -s target.png link.png
+plumbago -o link.png a.svg
+if tool png_info link.png >/dev/null 2>&1; then ok "an output that is a link is written"; else fail "an output that is a link is written" "it is no PNG"; fi
+ln -s nowhere/x.png dangling.png
+plumbago -o dangling.png a.svg
+if [ $status -eq 1 ] || tool png_info dangling.png >/dev/null 2>&1; then ok "an output that is a dangling link: written or refused"; else fail "an output that is a dangling link: written or refused" "status $status"; fi
+chmod 640 a.png && umask 022 && plumbago -o fresh.png a.svg
+is "a new output has the usual mode" "$(stat -c %a fresh.png)" 644
+(umask 077 && "$PLUMBAGO" -o private.png a.svg)
+is "a new output heeds the umask" "$(stat -c %a private.png)" 600
+cp a.svg same.svg && before=$(sha256sum <same.svg)
+plumbago -o same.svg same.svg
+if [ $status -ne 0 ] && [ "$(sha256sum <same.svg)" = "$before" ]; then ok "the output may not be the input"; elif [ $status -eq 0 ]; then ok "the output may be the input"; else fail "the output is the input" "status $status and the input has changed"; fi
+example picture.png && before=$(sha256sum <picture.png)
+plumbago picture.png
+if [ "$(sha256sum <picture.png)" = "$before" ] && [ $status -ne 0 ]; then ok "a drawing named .png is not overwritten unasked"; else fail "a drawing named .png is not overwritten unasked" "exit status $status, and the input is gone"; fi
+left=$(find . -name '.*' -type f -o -name '*tmp*' -o -name '*.part*' -o -name '*~')
+report "no temporary file is left" "$left"

@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+# Every option of plumbago, once as it should be and once as it should not.
+. "$ROOT/tests/check.sh"
+example a.svg
+
+# ---- what prints and ends ----
+plumbago --version
+is "--version: exit status" $status 0
+is "--version: one line" "$(cat "$TMP/out")" "plumbago $(sed -n 's/^VERSION = //p' "$ROOT/Makefile")"
+plumbago --help
+is "--help: exit status" $status 0
+if grep -q -- '--dpi' "$TMP/out" && [ ! -s "$TMP/err" ]; then ok "--help: to standard output"; else fail "--help: to standard output" "$(head -n 1 "$TMP/err")"; fi
+plumbago --list-pencils
+is "--list-pencils: exit status" $status 0
+is "--list-pencils: the eight, hard to soft" "$(awk '{ print $1 }' "$TMP/out" | tr '\n' ' ')" "2H H F HB B 3B 6B 8B "
+
+# ---- output and what it is called ----
+draws "no option" a.svg
+if [ -s a.png ]; then ok "the output is called after the input"; else fail "the output is called after the input" "no a.png: $(listing | tr '\n' ' ')"; fi
+mv a.png default.png
+draws "-o FILE" -o out.png a.svg
+same "-o FILE holds the same" out.png default.png
+for spelling in "--output out2.png" "--output=out2.png" "-oout2.png"; do
+    rm -f out2.png
+    # shellcheck disable=SC2086
+    draws "$spelling" $spelling a.svg
+    same "$spelling holds the same" out2.png default.png
+done
+draws "options after the file" a.svg -o after.png
+same "options after the file: the same" after.png default.png
+draws "-- ends the options" -o dashes.png -- a.svg
+same "-- ends the options: the same" dashes.png default.png
+draws "-o twice: the last counts" -o first.png -o second.png a.svg
+if [ -s second.png ] && [ ! -e first.png ]; then ok "-o twice: only the last is written"; else fail "-o twice: only the last is written" "$(listing | tr '\n' ' ')"; fi
+mkdir sub && example sub/b.svg
+draws "a file in a folder" sub/b.svg
+if [ -s sub/b.png ]; then ok "its output lies beside it"; else fail "its output lies beside it" "$(listing | tr '\n' ' ')"; fi
+example plain && draws "a name without an ending" plain
+if [ -s plain.png ]; then ok "a name without an ending gets .png"; else fail "a name without an ending gets .png" "$(listing | tr '\n' ' ')"; fi
+example two.dots.svg && draws "a name with dots" two.dots.svg
+if [ -s two.dots.png ]; then ok "only the last ending is replaced"; else fail "only the last ending is replaced" "$(listing | tr '\n' ' ')"; fi
+mkdir v1.2 && example v1.2/plain && draws "a folder with a dot" v1.2/plain
+if [ -s v1.2/plain.png ]; then ok "a folder's dot is no ending"; else fail "a folder's dot is no ending" "$(listing | tr '\n' ' ')"; fi
+
+# ---- the pencil ----
+for grade in 2H H F HB B 3B 6B 8B; do draws "-p $grade" -p $grade -o $grade.png a.svg; done
+same "HB is the default" HB.png default.png
+draws "-p in lower case" -p hb -o lower.png a.svg
+same "-p in lower case: the same" lower.png default.png
+darker=$(for grade in 2H HB 3B 8B; do tool png_stats $grade.png | awk '{ print $4 }'; done)
+if [ "$(sort -rn <<<"$darker")" = "$darker" ]; then ok "softer pencils are darker"; else fail "softer pencils are darker" "mean greys of 2H HB 3B 8B: $(tr '\n' ' ' <<<"$darker")"; fi
+misused_or_refused() { # a pencil that is not there is a file that is not there: 1, one line
+    refuses "$@"
+}
+misused_or_refused "unknown grade" "9B" -p 9B -o x.png a.svg
+misused_or_refused "a pencil file that is not there" "none\.pencil" -p none.pencil -o x.png a.svg
+head -c 3000 /dev/urandom >junk.pencil
+misused_or_refused "a pencil file of random bytes" "junk\.pencil" -p junk.pencil -o x.png a.svg
+: >empty.pencil
+misused_or_refused "an empty pencil file" "empty\.pencil" -p empty.pencil -o x.png a.svg
+misused_or_refused "a drawing as pencil" "a\.svg" -p a.svg -o x.png a.svg
+misused_or_refused "a directory as pencil" "sub" -p sub -o x.png a.svg
+if cp "$ROOT/profiles/HB.pencil" copy.pencil 2>/dev/null; then
+    draws "-p FILE.pencil" -p copy.pencil -o copy.png a.svg
+    same "-p FILE.pencil: the same as the grade it copies" copy.png default.png
+    head -c 2000 "$ROOT/profiles/HB.pencil" >cut.pencil
+    misused_or_refused "a pencil file cut short" "cut\.pencil" -p cut.pencil -o x.png a.svg
+fi
+
+# ---- the model and the arm ----
+draws "--model hla" --model hla -o model.png a.svg
+same "hla is the default model" model.png default.png
+draws "--arm jerk" --arm jerk -o jerk.png a.svg
+same "jerk is the default arm" jerk.png default.png
+draws "--arm spring" --arm spring -o spring.png a.svg
+differ "the arms differ" jerk.png spring.png
+draws "--squiggle 0" --squiggle 0 -o straight.png a.svg
+differ "--squiggle changes the drawing" straight.png default.png
+draws "--squiggle 5/300in" --squiggle 5/300in -o squiggle.png a.svg
+same "the default squiggle is 5/300 in" squiggle.png default.png
+draws "--squiggle=1mm" --squiggle=1mm -o wild.png a.svg
+differ "--squiggle takes a unit" wild.png default.png
+misused "--squiggle -1mm" squiggle --squiggle -1mm a.svg
+misused "--squiggle nan" squiggle --squiggle nan a.svg
+misused "--squiggle of another unit" squiggle --squiggle 3kg a.svg
+misused "--squiggle 1/0in" squiggle --squiggle 1/0in a.svg
+misused "--model of another name" model --model photo a.svg
+misused "--arm of another name" arm --arm left a.svg
+
+# ---- the background ----
+draws "--background white" --background white -o white.png a.svg
+same "white is the default background" white.png default.png
+is "white: 8-bit grey" "$(info white.png colour) $(info white.png depth)" "grey 8"
+draws "--background none" --background none -o none.png a.svg
+is "none: 8-bit grey with alpha" "$(info none.png colour) $(info none.png depth)" "grey+alpha 8"
+far=$(tool png_compare white.png none.png | awk '{ print ($4 <= 2 && $1 == "different" && $3 == "max") ? "" : $0 }')
+report "none over white is white, but for rounding" "$far"
+misused "--background of another name" background --background pink a.svg
+
+# ---- talk ----
+plumbago -v -o v.png a.svg
+if [ $status -eq 0 ] && [ -s "$TMP/err" ] && [ ! -s "$TMP/out" ]; then ok "-v says something, on standard error"; else fail "-v says something, on standard error" "status $status, $(wc -c <"$TMP/err") and $(wc -c <"$TMP/out") bytes"; fi
+same "-v draws the same" v.png default.png
+plumbago -v -v -v -o v.png a.svg
+is "-v three times" $status 0
+draws "-q" -q -o q.png a.svg
+same "-q draws the same" q.png default.png
+draws "-q after -v is quiet" -v -q -o q.png a.svg
+plumbago -q nothing.svg
+is "-q keeps errors: status" $status 1
+is "-q keeps errors: one line" "$(wc -l <"$TMP/err")" 1
+
+# ---- wrong command lines ----
+misused "an unknown long option" "frobnicate" --frobnicate a.svg
+misused "an unknown short option" "Z" -Z a.svg
+for option in -o --output -p --pencil -d --dpi --width --height --scale -s --seed --squiggle --model --arm --background; do
+    misused "$option without an argument" "${option#--}" $option
+done
+misused "--version with an argument" "version" --version=3
+misused "two files" "." a.svg two.dots.svg
+misused "an empty -o" "output|-o" -o '' a.svg
+misused "an empty --dpi" "dpi" --dpi= a.svg
+misused "--dump of another name" "dump" --dump=soup a.svg
+misused "half an option is none of ours" "outp|backg" --backgroun white --outp x a.svg

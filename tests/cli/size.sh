@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: MIT
+# Size on paper and resolution are two things. 40 mm by 30 mm at 300 dpi are 472.4 by 354.3 pixels.
+. "$ROOT/tests/check.sh"
+example a.svg
+
+# size NAME WIDTH HEIGHT ARGS...: draws, and the picture is so large, up to one pixel of rounding.
+size() {
+    local name=$1 width=$2 height=$3 got
+    shift 3
+    rm -f x.png
+    plumbago "$@" -o x.png a.svg
+    if [ $status -ne 0 ]; then fail "$name" "exit status $status: $(head -n 1 "$TMP/err")"; return; fi
+    got=$(info x.png size)
+    if awk -v g="$got" -v w="$width" -v h="$height" 'BEGIN { split(g, a, " "); exit !((a[1] - w) ^ 2 <= 1 && (a[2] - h) ^ 2 <= 1) }'; then
+        ok "$name"
+    else
+        fail "$name" "$got pixels, expected $width $height"
+    fi
+}
+# resolution NAME DPI ARGS...: what the picture says of itself (pHYs holds whole pixels a metre).
+resolution() {
+    local name=$1 dpi=$2
+    shift 2
+    rm -f x.png
+    plumbago "$@" -o x.png a.svg
+    if info x.png dpi | awk -v d="$dpi" '{ exit !(($1 - d) ^ 2 < .0004 * d && $1 == $2) }'; then ok "$name"; else fail "$name" "pHYs says '$(info x.png dpi)', expected $dpi"; fi
+}
+
+size "the file's own size at the default 300 dpi" 472 354
+resolution "300 dpi is written" 300
+for dpi in 72 96 150 600; do
+    size "-d $dpi" $((dpi * 40 * 10 / 254)) $((dpi * 30 * 10 / 254)) -d $dpi
+    resolution "$dpi dpi is written" $dpi -d $dpi
+done
+size "a fraction of a dpi" 157 118 -d 99.9
+size "--dpi=100" 157 118 --dpi=100
+size "the smallest: 10 dpi" 16 12 -d 10
+size "--width 80mm: the height follows" 945 709 --width 80mm
+size "--width in inches" 600 450 --width 2in
+size "--width in centimetres" 945 709 --width 8cm
+size "--width in points" 600 450 --width 144pt
+size "--width in CSS pixels" 600 450 --width 192px
+size "--width without a unit is in CSS pixels" 600 450 --width 192
+size "--width as a fraction" 500 375 --width 500/300in
+size "--height 15mm: the width follows" 236 177 --height 15mm
+size "--width and --height" 600 300 --width 2in --height 1in
+size "--scale 2" 945 709 --scale 2
+size "--scale 0.25" 118 89 --scale 0.25
+size "--scale 1e-1" 47 35 --scale 1e-1
+size "--scale with -d" 315 236 --scale 2 -d 100
+resolution "--width leaves the resolution" 300 --width 80mm
+
+for text in "Software: plumbago" "seed" "pencil" "model"; do
+    plumbago -o x.png a.svg
+    if info x.png text | grep -qi "$text"; then ok "the PNG says: $text"; else fail "the PNG says: $text" "$(info x.png text | tr '\n' '|')"; fi
+done
+plumbago -p 3B -s 4711 -o x.png a.svg
+if info x.png text | grep -q 4711 && info x.png text | grep -q 3B; then ok "the PNG's text has seed and pencil in it"; else fail "the PNG's text has seed and pencil in it" "$(info x.png text | tr '\n' '|')"; fi
+
+# A drawing keeps its place at every size: the ink's box, in mm, is the same within half a line.
+place() {
+    plumbago --squiggle 0 -o x.png "$@" a.svg
+    tool png_stats x.png 40 | awk -v s="$(info x.png size)" '{ split(s, a, " "); printf "%.0f %.0f %.0f %.0f\n", $10 / a[1] * 40, $11 / a[2] * 30, ($12 + 1) / a[1] * 40, ($13 + 1) / a[2] * 30 }'
+}
+is "ink lies where it should" "$(place)" "4 4 36 26"
+is "ink lies where it should at 96 dpi" "$(place -d 96)" "4 4 36 26"
+is "ink lies where it should at 600 dpi" "$(place -d 600)" "4 4 36 26"
+is "ink lies where it should at --scale 3" "$(place --scale 3)" "4 4 36 26"
+is "ink lies where it should when stretched" "$(place --width 80mm --height 30mm)" "4 4 36 26"
+
+while IFS='|' read -r option value; do
+    # shellcheck disable=SC2086
+    misused "$option $value" "${option##*-}" $option "$value" a.svg
+done <<'END'
+-d|0
+-d|-300
+-d|nan
+-d|inf
+-d|1e9
+-d|1e999
+-d|9.99
+-d|4801
+-d|300x
+-d|
+--dpi|three
+--dpi|0x100
+--width|-3
+--width|0
+--width|0mm
+--width|nan
+--width|inf
+--width|10furlongs
+--width|mm
+--width|1e300
+--height|-3cm
+--height|0in
+--height|1/0in
+--scale|0
+--scale|-1
+--scale|nan
+--scale|inf
+--scale|2mm
+--scale|1e999
+END
+misused "--width with --scale" "scale|width" --width 50mm --scale 2 a.svg
+misused "--height with --scale" "scale|height" --height 50mm --scale 2 a.svg
+# A page that is too large for a picture is refused before its memory is asked for.
+for asked in "--width 90m" "--scale 1e6" "-d 4800 --width 20000mm" "--width 1e9mm"; do
+    # shellcheck disable=SC2086
+    (ulimit -v 4000000; exec timeout 20 "$PLUMBAGO" $asked -o huge.png a.svg) >"$TMP/out" 2>"$TMP/err"
+    status=$?
+    if { [ $status -eq 1 ] || [ $status -eq 2 ]; } && [ ! -e huge.png ] && [ "$(wc -l <"$TMP/err")" -le 2 ]; then ok "$asked: refused"; else fail "$asked: refused" "exit status $status: $(head -n 2 "$TMP/err" | tr '\n' '|')"; fi
+done

@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+# Does a pencil line lie where the drawing says? Each drawing is drawn ruler-straight at 96 dpi and compared with what
+# rsvg-convert (SVG) or Ghostscript (PostScript) makes of it: ink within 3 px both ways, for at least 97 % of the ink.
+#
+# That holds for drawings made of lines. A fill is drawn as its outline, so the inside of a dark area is no ink of ours;
+# a light area painted over lines hides them in print, and need not for a hand. Drawings with such fills (by the display
+# list: a fill darker than .95, or a lighter one that is opaque and comes after the first line), with images or with
+# a line wider than 2 mm are measured too, but only those without must pass. The table of all is
+# $BUILD_DIR/fidelity.tsv.
+. "$ROOT/tests/check.sh"
+table=$BUILD_DIR/fidelity.tsv
+printf 'file\tclass\trecall\tprecision\tmean\tink of reference\tink of ours\n' >"$table"
+
+# What a display list (from standard input) is made of: lines, areas, covers or wide.
+class_of() {
+    awk '
+    $1 == "clip" || $1 == "list" { next }
+    { r = $4; g = $5; b = $6; a = $7; light = 1 - (1 - (.299 * r + .587 * g + .114 * b)) * a }
+    $1 == "fill" && light < .95 { areas++ }
+    $1 == "fill" && light >= .95 && a > .5 && lines { covers++ }
+    $1 == "stroke" && light < .95 { lines++; if ($9 > 2) wide++ }
+    END { print areas ? "areas" : covers ? "covers" : wide ? "wide" : "lines" }'
+}
+
+# reference FILE OUT.png
+reference() {
+    case $1 in
+    *.svg) timeout 20 rsvg-convert -d 96 -p 96 "$1" -o "$2" ;;
+    *) timeout 20 gs -q -dSAFER -dBATCH -dNOPAUSE -sDEVICE=pnggray -r96 -dEPSCrop -dGraphicsAlphaBits=4 -dLastPage=1 -sOutputFile="$2" "$1" ;;
+    esac >/dev/null 2>&1 && [ -s "$2" ]
+}
+
+# measure FILE MUST: MUST is `must` for our own drawings, whatever they are made of.
+measure() {
+    local file=$1 name class line recall precision mean ink_a ink_b
+    name=$(basename "$(dirname "$file")")/$(basename "$file")
+    rm -f ref.png ours.png
+    if ! reference "$file" ref.png; then
+        printf '%s\treference fails\n' "$name" >>"$table"
+        return
+    fi
+    if ! timeout 60 "$PLUMBAGO" -q --squiggle 0 -d 96 -o ours.png "$file" 2>"$TMP/err"; then
+        printf '%s\twe fail: %s\n' "$name" "$(head -n 1 "$TMP/err")" >>"$table"
+        fail "$name" "it is not drawn: $(head -n 1 "$TMP/err" | cut -c 1-200)"
+        return
+    fi
+    class=$("$PLUMBAGO" -q --dump=list "$file" 2>/dev/null | class_of)
+    read -r _ recall _ precision _ mean _ ink_a ink_b < <(tool ink_compare ref.png ours.png 3)
+    printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$name" "$class" "$recall" "$precision" "$mean" "$ink_a" "$ink_b" >>"$table"
+    line="recall $recall, precision $precision"
+    [ "$class" = lines ] && counted=$((counted + 1))
+    [ "$class" = lines ] || [ "$2" = must ] || return
+    if awk "BEGIN { exit !($recall >= .97 && $precision >= .97) }"; then
+        ok "$name: $line"
+    else
+        fail "$name" "$line (at least .97 each)"
+        mkdir -p "$BUILD_DIR/fidelity" && cp ref.png "$BUILD_DIR/fidelity/${name//\//-}-reference.png" && cp ours.png "$BUILD_DIR/fidelity/${name//\//-}-ours.png"
+    fi
+}
+
+counted=0
+rm -rf "$BUILD_DIR/fidelity"
+if command -v rsvg-convert >/dev/null; then
+    for file in "$ROOT"/tests/image/*.svg; do measure "$file" must; done
+    is "our own SVG drawings are made of lines" $counted "$(find "$ROOT"/tests/image -name '*.svg' | wc -l)"
+    counted=0
+    if [ -d "$SHARED/corpus/svg" ]; then
+        for file in "$SHARED"/corpus/svg/*.svg; do measure "$file" may; done
+        if [ $counted -ge 10 ]; then ok "$counted SVG drawings of the corpus are made of lines"; else fail "enough SVG drawings to judge by" "only $counted are made of lines"; fi
+    else
+        skip "SVG drawings of the corpus" "no corpus here"
+    fi
+else
+    skip "SVG against rsvg-convert" "no rsvg-convert here (Debian: librsvg2-bin)"
+fi
+counted=0
+if command -v gs >/dev/null; then
+    for file in "$ROOT"/tests/image/*.eps; do measure "$file" must; done
+    is "our own PostScript drawings are made of lines" $counted "$(find "$ROOT"/tests/image -name '*.eps' | wc -l)"
+    counted=0
+    if [ -d "$SHARED/corpus/ps" ]; then
+        for file in "$SHARED"/corpus/ps/*.{eps,ps,mps}; do measure "$file" may; done
+        if [ $counted -ge 4 ]; then ok "$counted PostScript drawings of the corpus are made of lines"; else fail "enough PostScript drawings to judge by" "only $counted are made of lines"; fi
+    else
+        skip "PostScript drawings of the corpus" "no corpus here"
+    fi
+else
+    skip "PostScript against Ghostscript" "no gs here (Debian: ghostscript)"
+fi

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+# Files made to do harm: each is drawn or refused within 10 seconds and 2 GiB, with one line when refused, and nothing
+# but the output is written. With strace, also: no file is opened but the input, the output and what the system's
+# libraries need. Runs over tests/bad and, where it is, the hostile part of the corpus.
+. "$ROOT/tests/check.sh"
+secret="BAIT-$$-do-not-read"
+
+# Files that a drawing might ask for, beside the input.
+bait() {
+    rm -rf cage && mkdir cage && cd cage || exit 1
+    for name in secret.txt secret.svg secret.png secret.ps data.dat; do echo "$secret" >$name; done
+    cp -r "$1" "$2"
+    find . -type f -printf '%P %s %T@\n' | sort >../before
+}
+unbait() { cd ..; }
+
+# judged NAME INPUT CODE: the result of one run in the cage.
+judge() {
+    local name=$1 code=$2 changed
+    rm -f out.moved && [ -e out.png ] && mv out.png ../out.png
+    changed=$(find . -type f -printf '%P %s %T@\n' | sort | diff ../before - | grep '^[<>]')
+    if [ "$code" -ne 0 ] && [ "$code" -ne 1 ]; then
+        fail "$name" "exit status $code: $(head -n 1 "$TMP/err" | cut -c 1-200)"
+    elif [ "$code" -eq 1 ] && [ "$(grep -vc ': warning: ' "$TMP/err")" -ne 1 ]; then
+        fail "$name" "$(wc -l <"$TMP/err") lines on standard error, not 1: $(head -n 2 "$TMP/err" | tr '\n' '|' | cut -c 1-300)"
+    elif [ "$code" -eq 1 ] && ! tail -n 1 "$TMP/err" | grep -q '^plumbago: .'; then
+        fail "$name" "the message is: $(head -n 1 "$TMP/err")"
+    elif [ "$(wc -l <"$TMP/err")" -gt 5 ]; then
+        fail "$name" "$(wc -l <"$TMP/err") lines on standard error"
+    elif LC_ALL=C grep -q '[^[:print:][:space:]]' "$TMP/err"; then
+        fail "$name" "control bytes in the message"
+    elif [ "$code" -eq 1 ] && [ -e ../out.png ]; then
+        fail "$name" "refused, yet there is an output"
+    elif [ "$code" -eq 0 ] && ! tool png_info ../out.png >/dev/null 2>&1; then
+        fail "$name" "drawn, but the output is not a valid PNG"
+    elif [ -n "$changed" ]; then
+        fail "$name" "files have changed: $(tr '\n' ' ' <<<"$changed")"
+    else
+        ok "$name: $([ "$code" -eq 0 ] && echo drawn || cut -d: -f 2- "$TMP/err" | tail -n 1 | cut -c 1-120)"
+    fi
+    rm -f ../out.png
+}
+
+# What may be opened: the system's libraries, fonts and settings, Ghostscript's own, the programs themselves.
+allowed='^(/lib|/lib64|/usr/lib|/usr/local/lib|/usr/share/(fonts|fontconfig|X11|locale|mime|glib-2.0|icu|zoneinfo|ghostscript|poppler|color|xml|icons|themes)|/usr/local/share/fonts|/etc/(ld\.so|fonts|ghostscript|paper|localtime|locale|pango|nsswitch|passwd|xml|ssl)|/var/(cache/fontconfig|lib/ghostscript)|/proc/(self|meminfo|cpuinfo|sys|filesystems|[0-9]+/)|/sys/|/dev/(null|urandom|random|tty|shm)|/usr/bin/|/bin/)'
+traced() {
+    local name=$1 input=$2 opened
+    timeout 60 strace -f --seccomp-bpf -qq -e trace=open,openat,creat,unlink,unlinkat,rename,renameat,renameat2,symlink,link,connect -o ../trace \
+        "$PLUMBAGO" -o out.png "$input" >/dev/null 2>&1
+    # Opened with success, by path; the program's own folder, the cage's output and input, and temporary files of the helpers aside.
+    opened=$(grep -v ' = -1 ' ../trace | grep -oE '"[^"]+"' | tr -d '"' | sort -u |
+        grep -vE "$allowed" | grep -vE "^($BUILD_DIR/|\./)?(plumbago|tap-svg)\$" | grep -vE "(^|/)(\.?out\.png[^/]*|$input)\$" |
+        grep -vE "^(${HOME:-/root}/\.(cache|config|fonts|local)|/tmp/(gs_|fontconfig|plumbago)|\.\$|/\$|/tmp\$|/work\$|${PWD}\$)" | grep -vE "^$BUILD_DIR\$")
+    report "$name opens nothing it should not" "$opened"
+    if grep -q 'connect(.*AF_INET' ../trace; then fail "$name stays off the network" "$(grep -m 1 AF_INET ../trace)"; fi
+    rm -f out.png
+}
+
+attack() {
+    local file=$1 name input=${1##*/} code
+    name=$(basename "$(dirname "$file")")/$input
+    bait "$file" "$input"
+    (ulimit -v 2097152; exec timeout -k 1 10 "$PLUMBAGO" -o out.png "$input") >"$TMP/out" 2>"$TMP/err"
+    code=$?
+    judge "$name" $code
+    if [ -n "$strace" ] && [ -f "$input" ]; then traced "$name" "$input"; fi
+    unbait
+}
+
+strace=
+case $BUILD_DIR in
+*asan* | *tsan*) echo "(an instrumented build needs more address space: it runs without the limit)"; ulimit() { :; } ;;
+*) command -v strace >/dev/null && strace -o /dev/null true 2>/dev/null && strace=yes ;;
+esac
+[ -n "$strace" ] || skip "what is opened" "no strace here, or it may not trace (Debian: strace)"
+for file in "$ROOT"/tests/bad/*; do [ -e "$file" ] && attack "$file"; done
+if [ -d "$SHARED/corpus/hostile" ]; then
+    for file in "$SHARED"/corpus/hostile/*; do attack "$file"; done
+else
+    skip "the hostile part of the corpus" "no corpus here"
+fi
