@@ -20,6 +20,11 @@ bool plb_api_fail(plb_error *to, const error *from)
     return false;
 }
 
+bool plb_api_finish(const error *from, plb_error *to)
+{
+    return from->kind == ERROR_NONE || plb_api_fail(to, from);
+}
+
 static void say(void *closure, message_level level, const char *text)
 {
     const api_adaptor *a = closure;

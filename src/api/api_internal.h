@@ -24,6 +24,9 @@ struct plb_drawing {
 /* Copies `from` to the caller's error (may be NULL). Returns false, for `return plb_api_fail(...)`. */
 bool plb_api_fail(plb_error *to, const error *from);
 
+/* The end of a call: true when `from` holds no error, else as plb_api_fail. */
+bool plb_api_finish(const error *from, plb_error *to);
+
 /* The caller's message function as the library's messenger: `adaptor` must outlive what plb_api_messenger returns. */
 typedef struct {
     plb_message_function message;

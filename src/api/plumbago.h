@@ -72,6 +72,7 @@ typedef struct {
     const char *provenance;     /* text to keep in it: scans, hand, licence; NULL: none */
     double dpi;                 /* of the scans; 0: what the PNG says, else 300 */
     int centre_min, centre_max; /* use only lines whose median grey at the centre lies in [min, max]; 0 and 255: all */
+    double width;               /* stretch the cross-section to this width at half depth, mm; 0: as measured */
     plb_message_function message; /* told about each scan; may be NULL */
     void *closure;
 } plb_capture_options;

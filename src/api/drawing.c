@@ -1,0 +1,96 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * From a file to strokes: load, read, fit to the page, plan.
+ */
+#include "api/drawing.h"
+
+#include "base/array.h"
+#include "input/input.h"
+#include "plan/plan.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Brings the drawing to the size that the options ask for. With both sides given it is fitted into them and centred. */
+static bool fit(display_list *list, const plb_options *o, error *err)
+{
+    double sx = o->width / list->width, sy = o->height / list->height, f = o->scale;
+    if (o->width > 0 && o->height > 0)
+        f = fmin(sx, sy);
+    else if (o->width > 0 || o->height > 0)
+        f = o->width > 0 ? sx : sy;
+    double w = o->width > 0 ? o->width : list->width * f, h = o->height > 0 ? o->height : list->height * f;
+    if (!(w > 0 && h > 0 && w <= 1e5 && h <= 1e5))
+        return plb_fail(err, ERROR_LIMIT, "a page of %g by %g mm cannot be drawn", w, h);
+    matrix m = plb_matrix_scale(f, f);
+    m.x0 = (w - list->width * f) / 2;
+    m.y0 = (h - list->height * f) / 2;
+    if (f != 1 || m.x0 != 0 || m.y0 != 0)
+        plb_list_transform(list, m);
+    list->width = w;
+    list->height = h;
+    return true;
+}
+
+static const char *shown_name(const char *file)
+{
+    return strcmp(file, "-") ? file : "standard input";
+}
+
+static bool load(plb_drawing *d, const char *file, const plb_options *o, const messenger *say, error *err)
+{
+    char *data = NULL;
+    size_t size = 0;
+    if (!plb_api_check(o, err) || !plb_input_load(file, &data, &size, err))
+        return false;
+    input_source in = {.name = shown_name(file), .data = data, .size = size, .helper_dir = o->helper_dir, .say = *say};
+    bool ok = plb_input_read(&in, &d->list, err);
+    plb_free(data);
+    error late = {ERROR_NONE, ""};
+    if (!ok)
+        return false;
+    if (fit(&d->list, o, &late) && plb_plan(&d->list, say, &d->strokes, &late))
+        return true;
+    return plb_fail(err, late.kind, "%s: %s", shown_name(file), late.text);
+}
+
+plb_drawing *plb_drawing_load(const char *file, const plb_options *options, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    api_adaptor adaptor = {options->message, options->closure};
+    messenger say = plb_api_messenger(&adaptor);
+    plb_drawing *d = plb_new(1, sizeof *d);
+    if (!d)
+        plb_fail_memory(&err);
+    else
+        plb_list_init(&d->list);
+    if (d && load(d, file, options, &say, &err))
+        return d;
+    plb_drawing_free(d);
+    plb_api_finish(&err, failed);
+    return NULL;
+}
+
+void plb_drawing_free(plb_drawing *d)
+{
+    if (!d)
+        return;
+    plb_list_free(&d->list);
+    plb_stroke_list_free(&d->strokes);
+    plb_free(d);
+}
+
+double plb_drawing_width(const plb_drawing *d)
+{
+    return d->list.width;
+}
+
+double plb_drawing_height(const plb_drawing *d)
+{
+    return d->list.height;
+}
+
+size_t plb_drawing_strokes(const plb_drawing *d)
+{
+    return d->strokes.strokes.n;
+}

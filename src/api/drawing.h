@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A drawing on its way through the stages: what the files of this folder share.
+ */
+#ifndef PLB_API_DRAWING_H
+#define PLB_API_DRAWING_H
+
+#include "api/api_internal.h"
+#include "stroke/stroke.h"
+#include "surface/page.h"
+
+/* Whether the options make sense. */
+bool plb_api_check(const plb_options *o, error *err);
+
+/* The pencil of a call, ready to draw: borrowed from the options or HB, loaded for the call. */
+typedef struct {
+    plb_profile *own; /* NULL when borrowed */
+    const plb_profile *profile;
+    pencil *pencil;
+    graphite ink;
+    stroke_options stroke;
+} drawing_tools;
+
+bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err);
+void plb_api_tools_free(drawing_tools *t);
+
+#endif

@@ -1,0 +1,73 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the stages made, shown: the display list and the strokes as text, the paths and control points as a picture.
+ */
+#include "api/drawing.h"
+
+#include "base/output.h"
+#include "surface/controls.h"
+
+#include <errno.h>
+#include <string.h>
+
+static bool add_path(controls_picture *c, const path_samples *drawn, error *err)
+{
+    ARRAY(point) at = {0};
+    bool ok = array_reserve(&at, drawn->n);
+    for (size_t i = 0; ok && i < drawn->n; i++)
+        at.v[at.n++] = drawn->v[i].at;
+    if (ok)
+        plb_controls_add_path(c, at.v, at.n);
+    array_free(&at);
+    return ok || plb_fail_memory(err);
+}
+
+static bool fill_picture(controls_picture *c, const stroke_list *list, const stroke_options *o, error *err)
+{
+    path_samples drawn = {0};
+    bool ok = true;
+    for (size_t i = 0; ok && i < list->strokes.n; i++)
+        ok = plb_path_sample(list, &list->strokes.v[i], o, &drawn, err) && add_path(c, &drawn, err);
+    for (size_t i = 0; ok && i < list->strokes.n; i++) {
+        point dots[CONTROLS_MAX];
+        plb_controls_add_dots(c, dots, plb_path_control_points(list, &list->strokes.v[i], o, dots));
+    }
+    array_free(&drawn);
+    return ok;
+}
+
+static bool write_controls(const plb_drawing *d, const plb_options *o, FILE *to, const char *file, error *err)
+{
+    drawing_tools t;
+    if (!plb_api_tools_init(&t, o, err))
+        return false;
+    controls_picture *c = plb_controls_new(d->list.width, d->list.height, o->dpi, err);
+    bool ok = c && fill_picture(c, &d->strokes, &t.stroke, err) && plb_controls_write(c, to, file, err);
+    plb_controls_free(c);
+    plb_api_tools_free(&t);
+    return ok;
+}
+
+static bool write_text(bool ok, const char *file, error *err)
+{
+    return ok || plb_fail(err, ERROR_FILE, "%s: cannot be written: %s", file, strerror(errno));
+}
+
+bool plb_drawing_dump(const plb_drawing *d, plb_dump what, const char *file, const plb_options *o, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    output out;
+    bool ok = plb_output_open(&out, file, &err);
+    if (ok) {
+        switch (what) {
+        case PLB_DUMP_LIST: ok = write_text(plb_list_print(&d->list, out.to), file, &err); break;
+        case PLB_DUMP_STROKES: ok = write_text(plb_stroke_list_print(&d->strokes, out.to), file, &err); break;
+        case PLB_DUMP_CONTROLS: ok = write_controls(d, o, out.to, file, &err); break;
+        }
+        if (ok)
+            plb_output_commit(&out, &err);
+        else
+            plb_output_discard(&out);
+    }
+    return plb_api_finish(&err, failed);
+}

@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Defaults of the drawing options and their check.
+ */
+#include "api/drawing.h"
+
+#include <math.h>
+#include <string.h>
+
+
+plb_options plb_options_default(void)
+{
+    plb_options o;
+    memset(&o, 0, sizeof o);
+    o.seed = 1;
+    o.squiggle = -1; /* the arm's own: 5/300 in, or 3/300 in for the spring */
+    o.dpi = 300;
+    o.scale = 1;
+    return o;
+}
+
+bool plb_api_check(const plb_options *o, error *err)
+{
+    if (!(o->dpi >= 10 && o->dpi <= 4800))
+        return plb_fail(err, ERROR_ARGUMENT, "the resolution must be 10 to 4800 dpi");
+    if (!(o->scale > 0 && o->scale <= 1e4))
+        return plb_fail(err, ERROR_ARGUMENT, "the scale must be above 0 and at most 10000");
+    if (!(o->width >= 0 && o->height >= 0 && o->width <= 1e5 && o->height <= 1e5))
+        return plb_fail(err, ERROR_ARGUMENT, "the page's size must be at most 100 m");
+    if (!(o->squiggle <= 1000))
+        return plb_fail(err, ERROR_ARGUMENT, "the squiggle must be at most 1 m");
+    if (o->model != PLB_MODEL_HLA || o->arm > PLB_ARM_SPRING || o->background > PLB_BACKGROUND_NONE)
+        return plb_fail(err, ERROR_ARGUMENT, "there is no such model, arm or background");
+    return true;
+}

@@ -1,0 +1,117 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The pencils of the public interface: loading, figures, capture, reports.
+ */
+#include "api/api_internal.h"
+#include "api/plumbago.h"
+#include "base/array.h"
+#include "base/units.h"
+#include "profile/profile.h"
+#include "surface/profile_plot.h"
+
+#include <errno.h>
+#include <string.h>
+
+const char *plb_pencil_name(size_t index)
+{
+    return plb_profile_grade(index);
+}
+
+/* Hands out a profile that was made (or, when NULL, the reason why not). */
+static plb_profile *wrap(profile *p, error *failed, plb_error *to)
+{
+    plb_profile *out = p ? plb_new(1, sizeof *out) : NULL;
+    if (out) {
+        out->p = p;
+        return out;
+    }
+    if (p)
+        plb_fail_memory(failed);
+    plb_profile_release(p);
+    plb_api_fail(to, failed);
+    return NULL;
+}
+
+plb_profile *plb_profile_load(const char *pencil, plb_error *to)
+{
+    error failed = {0};
+    return wrap(plb_profile_read(pencil, &failed), &failed, to);
+}
+
+void plb_profile_free(plb_profile *profile)
+{
+    if (profile)
+        plb_profile_release(profile->p);
+    plb_free(profile);
+}
+
+const char *plb_profile_name(const plb_profile *profile)
+{
+    return profile->p->name;
+}
+
+int plb_profile_centre_grey(const plb_profile *profile)
+{
+    return plb_profile_centre(profile->p);
+}
+
+double plb_profile_width(const plb_profile *profile)
+{
+    return profile->p->width_half / profile->p->dpi * MM_PER_INCH;
+}
+
+plb_capture_options plb_capture_options_default(void)
+{
+    capture_options inside = plb_capture_defaults();
+    return (plb_capture_options){.centre_min = inside.centre_min, .centre_max = inside.centre_max};
+}
+
+plb_profile *plb_profile_capture(const char *const scans[], size_t n, const plb_capture_options *options, plb_error *to)
+{
+    error failed = {0};
+    plb_capture_options given = options ? *options : plb_capture_options_default();
+    api_adaptor adaptor = {given.message, given.closure};
+    capture_options inside = plb_capture_defaults();
+    if (given.name)
+        inside.name = given.name;
+    if (given.provenance)
+        inside.provenance = given.provenance;
+    inside.dpi = given.dpi;
+    inside.centre_min = given.centre_min;
+    inside.centre_max = given.centre_max;
+    inside.width = given.width;
+    inside.say = plb_api_messenger(&adaptor);
+    return wrap(plb_capture(scans, n, &inside, &failed), &failed, to);
+}
+
+bool plb_profile_save(const plb_profile *profile, const char *file, plb_error *to)
+{
+    error failed = {0};
+    return plb_profile_write(profile->p, file, &failed) || plb_api_fail(to, &failed);
+}
+
+/* Reports on a stream of the caller's. */
+static bool written(bool good, plb_error *to)
+{
+    error failed = {0};
+    if (good)
+        return true;
+    plb_fail(&failed, ERROR_FILE, "the report cannot be written: %s", strerror(errno));
+    return plb_api_fail(to, &failed);
+}
+
+bool plb_profile_show(const plb_profile *profile, FILE *to, plb_error *error)
+{
+    return written(plb_profile_print(profile->p, to), error);
+}
+
+bool plb_profile_compare(const plb_profile *a, const plb_profile *b, FILE *to, plb_error *error)
+{
+    return written(plb_profile_print_difference(a->p, b->p, to), error);
+}
+
+bool plb_profile_plot(const plb_profile *profile, const char *file, plb_error *to)
+{
+    error failed = {0};
+    return plb_profile_draw(profile->p, file, &failed) || plb_api_fail(to, &failed);
+}
