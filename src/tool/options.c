@@ -1,0 +1,110 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * See options.h.
+ */
+#include "tool/options.h"
+
+#include <stdio.h>
+#include <string.h>
+
+static bool complain(const char *program, const char *what, const char *which, size_t length)
+{
+    fprintf(stderr, "%s: %s %.*s; try '%s --help'\n", program, what, (int)length, which, program);
+    return false;
+}
+
+static const option *find_name(const option *table, size_t n, const char *name, size_t length)
+{
+    for (size_t i = 0; i < n; i++)
+        if (table[i].name && strlen(table[i].name) == length && !strncmp(table[i].name, name, length))
+            return &table[i];
+    return NULL;
+}
+
+static const option *find_letter(const option *table, size_t n, char letter)
+{
+    for (size_t i = 0; i < n; i++)
+        if (table[i].name && table[i].letter == letter)
+            return &table[i];
+    return NULL;
+}
+
+static bool store(const char *program, const option *o, void *settings, const char *value)
+{
+    if (o->set(settings, value))
+        return true;
+    fprintf(stderr, "%s: wrong value for --%s: '%s'; it takes %s; try '%s --help'\n", program, o->name, value ? value : "", o->argument, program);
+    return false;
+}
+
+/* "--name", "--name=value" or "--name" "value"; moves *i over a value of its own. */
+static bool parse_long(const char *program, const option *table, size_t n, int argc, char **argv, int *i, void *settings)
+{
+    const char *name = argv[*i] + 2, *equals = strchr(name, '=');
+    size_t length = equals ? (size_t)(equals - name) : strlen(name);
+    const option *o = find_name(table, n, name, length);
+    if (!o)
+        return complain(program, "there is no option", argv[*i], length + 2);
+    if (!o->argument)
+        return equals ? complain(program, "no value belongs to", argv[*i], length + 2) : store(program, o, settings, NULL);
+    if (equals)
+        return store(program, o, settings, equals + 1);
+    if (*i + 1 >= argc)
+        return complain(program, "a value is missing after", argv[*i], length + 2);
+    return store(program, o, settings, argv[++*i]);
+}
+
+/* "-qv", "-ofile" or "-o" "file". */
+static bool parse_letters(const char *program, const option *table, size_t n, int argc, char **argv, int *i, void *settings)
+{
+    for (const char *p = argv[*i] + 1; *p; p++) {
+        const option *o = find_letter(table, n, *p);
+        char shown[3] = {'-', *p, '\0'};
+        if (!o)
+            return complain(program, "there is no option", shown, 2);
+        if (!o->argument) {
+            if (!store(program, o, settings, NULL))
+                return false;
+            continue;
+        }
+        if (p[1])
+            return store(program, o, settings, p + 1);
+        if (*i + 1 >= argc)
+            return complain(program, "a value is missing after", shown, 2);
+        return store(program, o, settings, argv[++*i]);
+    }
+    return true;
+}
+
+bool options_parse(const char *program, const option *table, size_t n, int argc, char **argv, void *settings, int *operands)
+{
+    bool ended = false;
+    *operands = 0;
+    for (int i = 1; i < argc; i++) {
+        const char *word = argv[i];
+        bool is_option = !ended && word[0] == '-' && word[1] != '\0';
+        if (is_option && !strcmp(word, "--"))
+            ended = true;
+        else if (!is_option)
+            argv[(*operands)++] = argv[i];
+        else if (word[1] == '-' ? !parse_long(program, table, n, argc, argv, &i, settings) : !parse_letters(program, table, n, argc, argv, &i, settings))
+            return false;
+    }
+    return true;
+}
+
+void options_print(const option *table, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        const option *o = &table[i];
+        if (!o->name) {
+            printf("\n%s:\n", o->help);
+            continue;
+        }
+        char left[64];
+        int at = o->letter ? snprintf(left, sizeof left, "  -%c, --%s", o->letter, o->name) : snprintf(left, sizeof left, "      --%s", o->name);
+        if (o->argument && at > 0 && at < (int)sizeof left)
+            snprintf(left + at, sizeof left - (size_t)at, " %s", o->argument);
+        printf("%-30s %s\n", left, o->help);
+    }
+}

@@ -1,0 +1,338 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * plumbago: draws a vector drawing with a pencil. plumbago(1) is the manual.
+ */
+#include "api/plumbago.h"
+#include "tool/options.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+#include <unistd.h>
+
+#define PROGRAM "plumbago"
+
+enum { EXIT_DRAWN = 0, EXIT_NOT_DRAWN = 1, EXIT_WRONG_COMMAND = 2 };
+
+typedef struct {
+    plb_options o;
+    const char *output, *pencil;
+    int dump; /* a plb_dump, or -1 */
+    bool random_seed, quiet, list_pencils, version, help;
+    int verbose;
+    bool progress_shown;
+    time_t started;
+} settings;
+
+/* ---- values ---- */
+
+static bool parse_number(const char *text, double *value)
+{
+    char *end;
+    *value = strtod(text, &end); /* this program never leaves the C locale */
+    return end != text && *end == '\0' && *value == *value;
+}
+
+/* LEN: a number or a fraction, then mm cm in pt px; without a unit px of 1/96 inch. */
+static bool parse_length(const char *text, double *mm)
+{
+    static const struct {
+        const char *name;
+        double mm;
+    } units[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72}, {"px", 25.4 / 96}, {"", 25.4 / 96}};
+    char *end;
+    double divisor = 1, value = strtod(text, &end);
+    if (end == text)
+        return false;
+    if (*end == '/') {
+        const char *start = end + 1;
+        divisor = strtod(start, &end);
+        if (end == start || !(divisor > 0))
+            return false;
+    }
+    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
+        if (!strcmp(end, units[i].name)) {
+            *mm = value / divisor * units[i].mm;
+            return *mm == *mm && *mm < 1e9 && *mm > -1e9;
+        }
+    return false;
+}
+
+static bool parse_seed(const char *text, uint64_t *seed)
+{
+    uint64_t v = 0;
+    for (const char *p = text; *p; p++) {
+        if (*p < '0' || *p > '9' || v > (UINT64_MAX - (uint64_t)(*p - '0')) / 10)
+            return false;
+        v = v * 10 + (uint64_t)(*p - '0');
+    }
+    *seed = v;
+    return *text != '\0';
+}
+
+static bool choose(const char *text, const char *const names[], int n, int *chosen)
+{
+    for (int i = 0; i < n; i++)
+        if (!strcmp(text, names[i])) {
+            *chosen = i;
+            return true;
+        }
+    return false;
+}
+
+/* ---- what each option does ---- */
+
+static bool set_output(void *p, const char *v) { return ((settings *)p)->output = v, *v != '\0'; }
+static bool set_pencil(void *p, const char *v) { return ((settings *)p)->pencil = v, *v != '\0'; }
+static bool set_dpi(void *p, const char *v)
+{
+    double *dpi = &((settings *)p)->o.dpi;
+    return parse_number(v, dpi) && *dpi >= 10 && *dpi <= 4800;
+}
+static bool set_width(void *p, const char *v)
+{
+    double *mm = &((settings *)p)->o.width;
+    return parse_length(v, mm) && *mm > 0 && *mm <= 1e5;
+}
+static bool set_height(void *p, const char *v)
+{
+    double *mm = &((settings *)p)->o.height;
+    return parse_length(v, mm) && *mm > 0 && *mm <= 1e5;
+}
+static bool set_scale(void *p, const char *v)
+{
+    double *f = &((settings *)p)->o.scale;
+    return parse_number(v, f) && *f > 0 && *f <= 1e4;
+}
+static bool set_seed(void *p, const char *v)
+{
+    settings *s = p;
+    s->random_seed = !strcmp(v, "random");
+    return s->random_seed || parse_seed(v, &s->o.seed);
+}
+static bool set_squiggle(void *p, const char *v)
+{
+    double *mm = &((settings *)p)->o.squiggle;
+    return parse_length(v, mm) && *mm >= 0 && *mm <= 1000;
+}
+static bool set_model(void *p, const char *v)
+{
+    int i;
+    return choose(v, (const char *const[]){"hla"}, 1, &i) ? (((settings *)p)->o.model = (plb_model)i, true) : false;
+}
+static bool set_arm(void *p, const char *v)
+{
+    int i;
+    return choose(v, (const char *const[]){"jerk", "spring"}, 2, &i) ? (((settings *)p)->o.arm = (plb_arm)i, true) : false;
+}
+static bool set_background(void *p, const char *v)
+{
+    int i;
+    return choose(v, (const char *const[]){"white", "none"}, 2, &i) ? (((settings *)p)->o.background = (plb_background)i, true) : false;
+}
+static bool set_dump(void *p, const char *v)
+{
+    return choose(v, (const char *const[]){"list", "strokes", "controls"}, 3, &((settings *)p)->dump);
+}
+static bool set_list_pencils(void *p, const char *v) { return (void)v, ((settings *)p)->list_pencils = true; }
+static bool set_quiet(void *p, const char *v) { return (void)v, ((settings *)p)->quiet = true; }
+static bool set_verbose(void *p, const char *v) { return (void)v, ((settings *)p)->verbose++, true; }
+static bool set_version(void *p, const char *v) { return (void)v, ((settings *)p)->version = true; }
+static bool set_help(void *p, const char *v) { return (void)v, ((settings *)p)->help = true; }
+
+static const option table[] = {
+    {0, NULL, NULL, "Output", NULL},
+    {'o', "output", "FILE", "write to FILE; '-': standard output [FILE's name with .png]", set_output},
+    {'d', "dpi", "DPI", "resolution, 10 to 4800 pixels per inch [300]", set_dpi},
+    {0, "background", "white|none", "paper, or nothing behind the graphite [white]", set_background},
+    {0, NULL, NULL, "Size on paper (LEN: a number or fraction with mm cm in pt px)", NULL},
+    {0, "width", "LEN", "width of the page [the drawing's own]", set_width},
+    {0, "height", "LEN", "height of the page [the drawing's own]", set_height},
+    {0, "scale", "F", "times its own size [1]", set_scale},
+    {0, NULL, NULL, "Pencil", NULL},
+    {'p', "pencil", "GRADE|FILE", "2H H F HB B 3B 6B 8B or a .pencil file [HB]", set_pencil},
+    {0, "list-pencils", NULL, "show the pencils that are built in", set_list_pencils},
+    {0, NULL, NULL, "Hand", NULL},
+    {'s', "seed", "SEED", "a number, or 'random': another hand for the same drawing [1]", set_seed},
+    {0, "squiggle", "LEN", "deviation of the path; 0: ruler-straight [5/300in; spring: 3/300in]", set_squiggle},
+    {0, "model", "hla", "how lines are made: the papers' algorithm [hla]", set_model},
+    {0, "arm", "jerk|spring", "how the arm moves [jerk]", set_arm},
+    {0, NULL, NULL, "Diagnosis", NULL},
+    {0, "dump", "list|strokes|controls", "show what a stage made instead of drawing", set_dump},
+    {'q', "quiet", NULL, "no warnings, no progress", set_quiet},
+    {'v', "verbose", NULL, "say what is done", set_verbose},
+    {0, "version", NULL, "show the version", set_version},
+    {0, "help", NULL, "show this help", set_help},
+};
+#define TABLE_ROWS (sizeof table / sizeof *table)
+
+static void print_help(void)
+{
+    printf("usage: " PROGRAM " [options] [FILE]\n"
+           "\n"
+           "Draws FILE, a vector drawing (SVG, PostScript or EPS), as a person with a pencil would.\n"
+           "\n"
+           "  " PROGRAM " plan.svg                          plan.png appears beside it\n"
+           "  " PROGRAM " -p 6B plan.ps -o - | display      in a pipe, with a soft pencil\n");
+    options_print(table, TABLE_ROWS);
+    printf("\nExit status: 0 drawn, 1 the drawing could not be made, 2 wrong command line.\n");
+}
+
+/* ---- talking ---- */
+
+static void clear_progress(settings *s)
+{
+    if (s->progress_shown)
+        fputs("\r\033[K", stderr);
+    s->progress_shown = false;
+}
+
+static void on_message(void *closure, int level, const char *text)
+{
+    settings *s = closure;
+    if (level == 0 ? s->quiet : s->verbose == 0)
+        return;
+    clear_progress(s);
+    fprintf(stderr, PROGRAM ": %s%s\n", level == 0 ? "warning: " : "", text);
+}
+
+/* On a terminal, from the second second on. */
+static void on_progress(void *closure, double done)
+{
+    settings *s = closure;
+    if (done >= 1 || time(NULL) - s->started < 2) {
+        clear_progress(s);
+        return;
+    }
+    fprintf(stderr, "\r" PROGRAM ": %3.0f %%", done * 100);
+    s->progress_shown = true;
+}
+
+static int fail(settings *s, const plb_error *e)
+{
+    clear_progress(s);
+    fprintf(stderr, PROGRAM ": %s\n", e->text);
+    return EXIT_NOT_DRAWN;
+}
+
+static int wrong(const char *what)
+{
+    fprintf(stderr, PROGRAM ": %s; try '" PROGRAM " --help'\n", what);
+    return EXIT_WRONG_COMMAND;
+}
+
+/* ---- work ---- */
+
+static int list_pencils(void)
+{
+    printf("%-6s %12s %10s\n", "pencil", "centre grey", "width mm");
+    for (size_t i = 0; plb_pencil_name(i); i++) {
+        plb_profile *p = plb_profile_load(plb_pencil_name(i), NULL);
+        if (p)
+            printf("%-6s %12d %10.2f\n", plb_pencil_name(i), plb_profile_centre_grey(p), plb_profile_width(p));
+        plb_profile_free(p);
+    }
+    return EXIT_DRAWN;
+}
+
+/* FILE's name with .png in place of its own suffix. The caller frees. */
+static char *name_output(const char *input)
+{
+    const char *slash = strrchr(input, '/'), *base = slash ? slash + 1 : input;
+    const char *dot = strrchr(base, '.');
+    size_t stem = dot && dot > base ? (size_t)(dot - input) : strlen(input);
+    char *name = malloc(stem + 5);
+    if (name)
+        snprintf(name, stem + 5, "%.*s.png", (int)stem, input);
+    return name;
+}
+
+static uint64_t random_seed(void)
+{
+    uint64_t seed = (uint64_t)time(NULL) * 1000003u + (uint64_t)getpid();
+    FILE *f = fopen("/dev/urandom", "rb");
+    if (f) {
+        if (fread(&seed, sizeof seed, 1, f) != 1)
+            seed ^= 0x5bd1e995u;
+        fclose(f);
+    }
+    return seed % 1000000000u; /* short enough to type again */
+}
+
+static int draw(settings *s, const char *input, const char *to)
+{
+    plb_error e = {PLB_OK, ""};
+    plb_profile *pencil = plb_profile_load(s->pencil, &e);
+    if (!pencil)
+        return fail(s, &e);
+    s->o.profile = pencil;
+    plb_drawing *d = plb_drawing_load(input, &s->o, &e);
+    bool ok = d && (s->dump >= 0 ? plb_drawing_dump(d, (plb_dump)s->dump, to, &s->o, &e) : plb_drawing_write_png(d, to, &s->o, &e));
+    if (ok && s->verbose)
+        fprintf(stderr, PROGRAM ": %zu strokes on %.1f x %.1f mm with %s, seed %llu: %s\n", plb_drawing_strokes(d), plb_drawing_width(d),
+                plb_drawing_height(d), plb_profile_name(pencil), (unsigned long long)s->o.seed, to);
+    plb_drawing_free(d);
+    plb_profile_free(pencil);
+    return ok ? EXIT_DRAWN : fail(s, &e);
+}
+
+/* Where the result goes when -o is absent: text dumps and what came by standard input to standard output. */
+static int run(settings *s, const char *input)
+{
+    bool is_text = s->dump == PLB_DUMP_LIST || s->dump == PLB_DUMP_STROKES;
+    char *made = s->output || is_text || !strcmp(input, "-") ? NULL : name_output(input);
+    const char *to = s->output ? s->output : made ? made : "-";
+    if (!strcmp(to, "-") && !is_text && isatty(STDOUT_FILENO)) {
+        free(made);
+        return wrong("a picture does not belong on a terminal: name a file with -o");
+    }
+    if (s->random_seed) {
+        s->o.seed = random_seed();
+        if (!s->quiet)
+            fprintf(stderr, PROGRAM ": seed %llu\n", (unsigned long long)s->o.seed);
+    }
+    s->started = time(NULL);
+    s->o.message = on_message;
+    s->o.progress = !s->quiet && isatty(STDERR_FILENO) ? on_progress : NULL;
+    s->o.closure = s;
+    int status = draw(s, input, to);
+    free(made);
+    return status;
+}
+
+/* Standard descriptors that are closed would be given to the files we open: to be on the safe side, fill them. */
+static void keep_standard_descriptors(void)
+{
+    for (int fd = 0; fd <= 2; fd++)
+        if (fcntl(fd, F_GETFD) < 0 && errno == EBADF && open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY) < 0)
+            _exit(EXIT_NOT_DRAWN);
+}
+
+int main(int argc, char **argv)
+{
+    keep_standard_descriptors();
+    settings s = {.o = plb_options_default(), .pencil = "HB", .dump = -1};
+    int operands;
+    if (!options_parse(PROGRAM, table, TABLE_ROWS, argc, argv, &s, &operands))
+        return EXIT_WRONG_COMMAND;
+    int status = EXIT_DRAWN;
+    if (s.help)
+        print_help();
+    else if (s.version)
+        printf(PROGRAM " %s\n", plb_version());
+    else if (s.list_pencils)
+        status = list_pencils();
+    else if (operands > 1)
+        return wrong("more than one FILE");
+    else if (s.o.scale != 1 && (s.o.width > 0 || s.o.height > 0))
+        return wrong("--scale goes neither with --width nor with --height");
+    else
+        return run(&s, operands ? argv[0] : "-");
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        fprintf(stderr, PROGRAM ": standard output: cannot be written: %s\n", strerror(errno));
+        return EXIT_NOT_DRAWN;
+    }
+    return status;
+}
