@@ -12,7 +12,7 @@ is "--help: exit status" $status 0
 if grep -q -- '--dpi' "$TMP/out" && [ ! -s "$TMP/err" ]; then ok "--help: to standard output"; else fail "--help: to standard output" "$(head -n 1 "$TMP/err")"; fi
 plumbago --list-pencils
 is "--list-pencils: exit status" $status 0
-is "--list-pencils: the eight, hard to soft" "$(awk '{ print $1 }' "$TMP/out" | tr '\n' ' ')" "2H H F HB B 3B 6B 8B "
+is "--list-pencils: the eight, hard to soft" "$(awk 'NR > 1 { print $1 }' "$TMP/out" | tr '\n' ' ')" "2H H F HB B 3B 6B 8B "
 
 # ---- output and what it is called ----
 draws "no option" a.svg

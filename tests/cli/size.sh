@@ -66,11 +66,11 @@ is "ink lies where it should" "$(place)" "4 4 36 26"
 is "ink lies where it should at 96 dpi" "$(place -d 96)" "4 4 36 26"
 is "ink lies where it should at 600 dpi" "$(place -d 600)" "4 4 36 26"
 is "ink lies where it should at --scale 3" "$(place --scale 3)" "4 4 36 26"
-is "ink lies where it should when stretched" "$(place --width 80mm --height 30mm)" "4 4 36 26"
+is "a page of other proportions: fitted and centred" "$(place --width 80mm --height 30mm)" "12 4 28 26"
 
 while IFS='|' read -r option value; do
     # shellcheck disable=SC2086
-    misused "$option $value" "${option##*-}" $option "$value" a.svg
+    misused "$option '$value'" "${option/#-d/dpi}" $option "$value" a.svg
 done <<'END'
 -d|0
 -d|-300
