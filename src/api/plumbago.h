@@ -47,6 +47,10 @@ typedef void (*plb_message_function)(void *closure, int level, const char *text)
 /* "0.1.0" */
 PLB_API const char *plb_version(void);
 
+/* Reads a length: a number or a fraction, then mm, cm, in, pt or px (1/96 inch, also meant without a unit), as
+ * "210mm" or "5/300in". `mm` gets millimetres. False when the text is no length. The same in every locale. */
+PLB_API bool plb_parse_length(const char *text, double *mm);
+
 /* ---- pencils --------------------------------------------------------------------------------------------- */
 
 /* A pencil: the statistics of its line, captured once from scans. Immutable. */

@@ -35,31 +35,6 @@ static bool parse_number(const char *text, double *value)
     return end != text && *end == '\0' && *value == *value;
 }
 
-/* LEN: a number or a fraction, then mm cm in pt px; without a unit px of 1/96 inch. */
-static bool parse_length(const char *text, double *mm)
-{
-    static const struct {
-        const char *name;
-        double mm;
-    } units[] = {{"mm", 1}, {"cm", 10}, {"in", 25.4}, {"pt", 25.4 / 72}, {"px", 25.4 / 96}, {"", 25.4 / 96}};
-    char *end;
-    double divisor = 1, value = strtod(text, &end);
-    if (end == text)
-        return false;
-    if (*end == '/') {
-        const char *start = end + 1;
-        divisor = strtod(start, &end);
-        if (end == start || !(divisor > 0))
-            return false;
-    }
-    for (size_t i = 0; i < sizeof units / sizeof *units; i++)
-        if (!strcmp(end, units[i].name)) {
-            *mm = value / divisor * units[i].mm;
-            return *mm == *mm && *mm < 1e9 && *mm > -1e9;
-        }
-    return false;
-}
-
 static bool parse_seed(const char *text, uint64_t *seed)
 {
     uint64_t v = 0;
@@ -94,12 +69,12 @@ static bool set_dpi(void *p, const char *v)
 static bool set_width(void *p, const char *v)
 {
     double *mm = &((settings *)p)->o.width;
-    return parse_length(v, mm) && *mm > 0 && *mm <= 1e5;
+    return plb_parse_length(v, mm) && *mm > 0 && *mm <= 1e5;
 }
 static bool set_height(void *p, const char *v)
 {
     double *mm = &((settings *)p)->o.height;
-    return parse_length(v, mm) && *mm > 0 && *mm <= 1e5;
+    return plb_parse_length(v, mm) && *mm > 0 && *mm <= 1e5;
 }
 static bool set_scale(void *p, const char *v)
 {
@@ -115,7 +90,7 @@ static bool set_seed(void *p, const char *v)
 static bool set_squiggle(void *p, const char *v)
 {
     double *mm = &((settings *)p)->o.squiggle;
-    return parse_length(v, mm) && *mm >= 0 && *mm <= 1000;
+    return plb_parse_length(v, mm) && *mm >= 0 && *mm <= 1000;
 }
 static bool set_model(void *p, const char *v)
 {
