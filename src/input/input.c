@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The table of formats, recognised by content. The first that fits reads the file.
+ */
+#include "input/input.h"
+
+#include <string.h>
+
+typedef struct {
+    const char *name;
+    bool (*recognise)(const char *data, size_t size);
+    bool (*read)(const input_source *in, display_list *list, error *err); /* NULL: known, but not read yet */
+} input_format;
+
+/* How far a sign of the format may lie from the start. */
+#define LOOK_BYTES ((size_t)4096)
+
+static bool starts_with(const char *data, size_t size, const char *sign, size_t n)
+{
+    return size >= n && !memcmp(data, sign, n);
+}
+
+static bool contains(const char *data, size_t size, const char *sign)
+{
+    size_t n = strlen(sign);
+    if (size > LOOK_BYTES)
+        size = LOOK_BYTES;
+    for (size_t i = 0; i + n <= size; i++)
+        if (!memcmp(data + i, sign, n))
+            return true;
+    return false;
+}
+
+/* Skips a byte order mark, blanks and ^D. */
+static void skip_start(const char **data, size_t *size)
+{
+    size_t i = starts_with(*data, *size, "\xef\xbb\xbf", 3) ? 3 : 0;
+    while (i < *size && memchr(" \t\r\n\f\x04", (*data)[i], 6))
+        i++;
+    *data += i;
+    *size -= i;
+}
+
+static bool is_gzip(const char *data, size_t size) { return starts_with(data, size, "\x1f\x8b", 2); }
+static bool is_utf16(const char *data, size_t size)
+{
+    return starts_with(data, size, "\xff\xfe<\0", 4) || starts_with(data, size, "\xfe\xff\0<", 4);
+}
+
+static bool is_svg(const char *data, size_t size)
+{
+    if (is_gzip(data, size) || is_utf16(data, size) || contains(data, size, "<svg"))
+        return true;
+    skip_start(&data, &size);
+    return size > 0 && data[0] == '<';
+}
+
+static bool is_postscript(const char *data, size_t size)
+{
+    if (starts_with(data, size, "\xc5\xd0\xd3\xc6", 4)) /* EPS with a DOS header (EPSF 3.0, section 5.2) */
+        return true;
+    skip_start(&data, &size);
+    return starts_with(data, size, "%!", 2);
+}
+
+static bool is_pdf(const char *data, size_t size)
+{
+    return contains(data, size < 1024 ? size : 1024, "%PDF-"); /* PDF 1.7, implementation note 13 */
+}
+
+/* Group code 0 and the word SECTION, or the sentinel of binary DXF; comments (999) may come first. */
+static bool is_dxf(const char *data, size_t size)
+{
+    if (starts_with(data, size, "AutoCAD Binary DXF", 18))
+        return true;
+    skip_start(&data, &size);
+    return (starts_with(data, size, "0", 1) || starts_with(data, size, "999", 3)) && contains(data, size, "SECTION");
+}
+
+static const input_format formats[] = {
+    {"PostScript", is_postscript, plb_read_postscript},
+    {"PDF", is_pdf, NULL},
+    {"SVG", is_svg, plb_read_svg},
+    {"DXF", is_dxf, NULL},
+};
+
+bool plb_input_read(const input_source *in, display_list *list, error *err)
+{
+    if (!in->size)
+        return plb_fail(err, ERROR_SYNTAX, "%s: the file is empty", in->name);
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
+        if (!formats[i].recognise(in->data, in->size))
+            continue;
+        if (!formats[i].read)
+            return plb_fail(err, ERROR_UNSUPPORTED, "%s: %s is not read yet", in->name, formats[i].name);
+        plb_say(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, formats[i].name);
+        return formats[i].read(in, list, err);
+    }
+    return plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG or PostScript)", in->name);
+}

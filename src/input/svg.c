@@ -1,0 +1,132 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * SVG and SVGZ: the helper program tap-svg draws, its text is read while it runs. Where librsvg refuses or dies
+ * there are second tries: malformed XML through a recovery parser, and without text (librsvg 2.54 aborts on some
+ * font sizes).
+ */
+#include "input/input.h"
+
+#include "input/cairoscript.h"
+#include "input/process.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+typedef enum { DONE, MALFORMED, CRASHED, FAILED } outcome;
+enum { TAP_DONE, TAP_USAGE, TAP_MALFORMED, TAP_REFUSED, TAP_WRITE, TAP_LIMIT }; /* see tap_svg.c */
+
+typedef struct {
+    bool recover, no_text;
+} manner;
+
+static bool refill(void *closure, const char **data, size_t *size)
+{
+    return plb_process_read(closure, data, size);
+}
+
+/* The tap's message, one line; libxml2's line number is moved to the front, where it belongs. */
+static bool fail_with_message(const input_source *in, error_kind kind, char *message, error *err)
+{
+    static const char where[] = " on line ", what[] = " of data: ";
+    message[strcspn(message, "\n")] = '\0';
+    size_t n = strlen(message);
+    while (n && message[n - 1] == ' ')
+        message[--n] = '\0';
+    const char *line = strstr(message, where), *text = line ? strstr(line, what) : NULL;
+    if (!text)
+        return plb_fail(err, kind, "%s: %s", in->name, *message ? message : "tap-svg gave up without a word");
+    text += strlen(what);
+    return plb_fail(err, kind, "%s:%ld: not well-formed XML: %s", in->name, strtol(line + strlen(where), NULL, 10), text);
+}
+
+static bool ran_out_of_memory(const process *p)
+{
+    return strstr(p->message, "memory allocation of") || strstr(p->message, "failed to allocate") ||
+           strstr(p->message, "ut of memory");
+}
+
+/* Says why the process did not succeed. */
+static outcome explain_end(const input_source *in, process *p, error *err)
+{
+    if (p->end == PROCESS_TIMED_OUT) {
+        plb_fail(err, ERROR_LIMIT, "%s: librsvg needs more than %d seconds for this drawing", in->name, PROCESS_CPU_SECONDS);
+        return FAILED;
+    }
+    if (p->end == PROCESS_CRASHED && ran_out_of_memory(p)) {
+        plb_fail(err, ERROR_LIMIT, "%s: librsvg needs more than %zu MB for this drawing", in->name, PROCESS_MEMORY_BYTES >> 20);
+        return FAILED;
+    }
+    if (p->end == PROCESS_CRASHED) {
+        plb_fail(err, ERROR_HELPER, "%s: librsvg dies on this drawing (signal %d)", in->name, p->code);
+        return CRASHED;
+    }
+    static const error_kind kinds[] = {[TAP_MALFORMED] = ERROR_SYNTAX, [TAP_REFUSED] = ERROR_UNSUPPORTED, [TAP_LIMIT] = ERROR_LIMIT};
+    error_kind kind = p->code <= TAP_LIMIT ? kinds[p->code] : ERROR_NONE;
+    if (kind)
+        fail_with_message(in, kind, p->message, err);
+    else
+        plb_fail(err, ERROR_HELPER, "%s: the helper tap-svg failed (status %d): %.200s", in->name, p->code, p->message);
+    return p->code == TAP_MALFORMED ? MALFORMED : FAILED;
+}
+
+static outcome run_tap(const input_source *in, const char *program, manner how, display_list *list, error *err)
+{
+    static char name[] = "tap-svg", recover[] = "--recover", no_text[] = "--no-text";
+    char *argv[4] = {name};
+    int n = 1;
+    if (how.recover)
+        argv[n++] = recover;
+    if (how.no_text)
+        argv[n++] = no_text;
+    argv[n] = NULL;
+    process p;
+    error reading = {0};
+    if (!plb_process_start(&p, program, argv, in->data, in->size, err))
+        return FAILED;
+    cairoscript_source from = {.refill = refill, .closure = &p};
+    plb_read_cairoscript(&from, list, &reading);
+    bool stopped_early = !from.complete && p.out >= 0;
+    plb_process_finish(&p);
+    if (!stopped_early && (p.end != PROCESS_EXITED || p.code != TAP_DONE))
+        return explain_end(in, &p, err);
+    if (!from.complete) {
+        bool plain = reading.kind == ERROR_LIMIT || reading.kind == ERROR_MEMORY;
+        plb_fail(err, reading.kind, "%s: %s%s", in->name, plain ? "" : "cannot read what tap-svg wrote: ", reading.text);
+        return FAILED;
+    }
+    if (from.filters)
+        plb_say(&in->say, MESSAGE_DETAIL, "%s: filters left out: %lu", in->name, from.filters);
+    return DONE;
+}
+
+static void warn(const input_source *in, manner how, const error *first)
+{
+    if (how.recover)
+        plb_say(&in->say, MESSAGE_WARNING, "%s; drawn as far as it can be read", first->text);
+    if (how.no_text)
+        plb_say(&in->say, MESSAGE_WARNING, "%s: its text is left out: librsvg cannot set it", in->name);
+}
+
+bool plb_read_svg(const input_source *in, display_list *list, error *err)
+{
+    char program[PROCESS_PATH_MAX];
+    if (!plb_process_find(in->helper_dir, "tap-svg", program, err))
+        return false;
+    error first = {0};
+    manner how = {false, false};
+    for (;;) {
+        outcome result = run_tap(in, program, how, list, &first);
+        if (result == DONE) {
+            warn(in, how, &first);
+            return true;
+        }
+        plb_list_free(list);
+        plb_list_init(list);
+        if (result == MALFORMED && !how.recover)
+            how.recover = true;
+        else if (result == CRASHED && !how.no_text)
+            how.no_text = true;
+        else
+            return plb_fail(err, first.kind, "%s", first.text);
+    }
+}
