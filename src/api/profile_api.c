@@ -38,26 +38,26 @@ plb_profile *plb_profile_load(const char *pencil, plb_error *to)
     return wrap(plb_profile_read(pencil, &failed), &failed, to);
 }
 
-void plb_profile_free(plb_profile *profile)
+void plb_profile_free(plb_profile *pencil)
 {
-    if (profile)
-        plb_profile_release(profile->p);
-    plb_free(profile);
+    if (pencil)
+        plb_profile_release(pencil->p);
+    plb_free(pencil);
 }
 
-const char *plb_profile_name(const plb_profile *profile)
+const char *plb_profile_name(const plb_profile *pencil)
 {
-    return profile->p->name;
+    return pencil->p->name;
 }
 
-int plb_profile_centre_grey(const plb_profile *profile)
+int plb_profile_centre_grey(const plb_profile *pencil)
 {
-    return plb_profile_centre(profile->p);
+    return plb_profile_centre(pencil->p);
 }
 
-double plb_profile_width(const plb_profile *profile)
+double plb_profile_width(const plb_profile *pencil)
 {
-    return profile->p->width_half / profile->p->dpi * MM_PER_INCH;
+    return pencil->p->width_half / pencil->p->dpi * MM_PER_INCH;
 }
 
 plb_capture_options plb_capture_options_default(void)
@@ -84,10 +84,10 @@ plb_profile *plb_profile_capture(const char *const scans[], size_t n, const plb_
     return wrap(plb_capture(scans, n, &inside, &failed), &failed, to);
 }
 
-bool plb_profile_save(const plb_profile *profile, const char *file, plb_error *to)
+bool plb_profile_save(const plb_profile *pencil, const char *file, plb_error *to)
 {
     error failed = {0};
-    return plb_profile_write(profile->p, file, &failed) || plb_api_fail(to, &failed);
+    return plb_profile_write(pencil->p, file, &failed) || plb_api_fail(to, &failed);
 }
 
 /* Reports on a stream of the caller's. */
@@ -100,18 +100,18 @@ static bool written(bool good, plb_error *to)
     return plb_api_fail(to, &failed);
 }
 
-bool plb_profile_show(const plb_profile *profile, FILE *to, plb_error *error)
+bool plb_profile_show(const plb_profile *pencil, FILE *stream, plb_error *to)
 {
-    return written(plb_profile_print(profile->p, to), error);
+    return written(plb_profile_print(pencil->p, stream), to);
 }
 
-bool plb_profile_compare(const plb_profile *a, const plb_profile *b, FILE *to, plb_error *error)
+bool plb_profile_compare(const plb_profile *a, const plb_profile *b, FILE *stream, plb_error *to)
 {
-    return written(plb_profile_print_difference(a->p, b->p, to), error);
+    return written(plb_profile_print_difference(a->p, b->p, stream), to);
 }
 
-bool plb_profile_plot(const plb_profile *profile, const char *file, plb_error *to)
+bool plb_profile_plot(const plb_profile *pencil, const char *file, plb_error *to)
 {
     error failed = {0};
-    return plb_profile_draw(profile->p, file, &failed) || plb_api_fail(to, &failed);
+    return plb_profile_draw(pencil->p, file, &failed) || plb_api_fail(to, &failed);
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * What a pencil is: the statistics of its line, measured once from scans (001 section 3.2, thesis section 4.1).
- * A profile is immutable once made; one may serve many threads. The file format is in pencil(5).
+ * A profile is immutable once made; one may serve many threads. The file format is in pencil(5). (plb_profile_load and
+ * its like are the public interface's names for what is here.)
  */
 #ifndef PLB_PROFILE_PROFILE_H
 #define PLB_PROFILE_PROFILE_H
@@ -13,12 +14,14 @@
 #include <stdio.h>
 
 #define PROFILE_GREYS 256
+#define PROFILE_NAME_SIZE 32 /* bytes of a name with its final zero */
 /* Bins of the cross-section: bin k holds distances [k, k + 1) * PROFILE_SECTION_STEP pixels from the centreline. */
 #define PROFILE_SECTION_BINS 64
 #define PROFILE_SECTION_STEP 0.25
 
 typedef struct {
-    char name[32];           /* the grade, "HB", or what the user called it */
+    char name[PROFILE_NAME_SIZE]; /* the grade, "HB", or what the user called it */
+    /* Lengths are multiples of 1/1000 px, greys of the section of 1/256: a profile and its file hold the same numbers. */
     double dpi;              /* of the scans and of all pixel figures below */
     double width_half;       /* width at half depth, px */
     double width_tenth;      /* width at a tenth of depth, px: the line's full width */
@@ -26,11 +29,13 @@ typedef struct {
     int lines;               /* how many scanned lines were pooled */
     uint64_t pixels;         /* how many columns of line */
 
-    /* Greys are scaled so that bare paper is 255. */
-    uint32_t mid[PROFILE_GREYS];   /* histogram along the centre */
+    /* Greys are scaled so that bare paper is 255. The counts of each histogram and of `ccm` sum to less than 2^31. */
+    uint32_t mid[PROFILE_GREYS];   /* histogram along the centre; 255: bare paper showing through there */
     uint32_t range[PROFILE_GREYS]; /* histogram of the whole line, white (255) left out as the papers do */
-    int min_mid, max_mid;          /* the papers' bounds: 1st and 99th percentile of `mid` … */
-    int min_range, max_range;      /* … and of `range` (percentiles: single pixels of dust must not set a bound) */
+    /* The papers' bounds: 1st and 99th percentile of `mid` and of `range`, white left out (percentiles: a single pixel
+     * of dust must not set a bound). min_mid <= max_mid <= max_range < 255, min_range <= max_mid. */
+    int min_mid, max_mid;
+    int min_range, max_range;
 
     double section_mean[PROFILE_SECTION_BINS]; /* grey against distance from the centreline */
     double section_sd[PROFILE_SECTION_BINS];
@@ -44,14 +49,17 @@ typedef struct {
 /* From bytes in memory; `name` is for messages. NULL and `err` when malformed. The caller frees. */
 profile *plb_profile_parse(const char *name, const unsigned char *data, size_t size, error *err);
 /* A grade ("HB": one of the eight built in, any case) or else a file name. The caller frees. */
-profile *plb_profile_load(const char *grade_or_file, error *err);
+profile *plb_profile_read(const char *grade_or_file, error *err);
 /* The bytes of the file form, owned by the caller (plb_free). */
 unsigned char *plb_profile_serialise(const profile *p, size_t *size, error *err);
-/* Written beside `file` and renamed onto it when complete. */
-bool plb_profile_save(const profile *p, const char *file, error *err);
-void plb_profile_free(profile *p);
+/* Written beside `file` and renamed onto it when complete: a failure leaves nothing behind. */
+bool plb_profile_write(const profile *p, const char *file, error *err);
+void plb_profile_release(profile *p);
 /* The eight grades from hard to soft: "2H" "H" "F" "HB" "B" "3B" "6B" "8B"; NULL past the end. */
 const char *plb_profile_grade(size_t index);
+
+/* Median grey along the centre of the line, bare paper included. */
+int plb_profile_centre(const profile *p);
 
 /* ---- capture from scans (profile_capture.c and its steps) ---- */
 
@@ -60,17 +68,16 @@ typedef struct {
     const char *provenance;  /* text to store */
     double dpi;              /* of the scans; 0: from the PNG's pHYs, else 300 */
     int centre_min, centre_max; /* only lines whose median grey at the centre lies within; 0, 255: all */
+    double width;            /* mm: stretch the section so that its width at half depth is this; 0: as measured */
     messenger say;           /* one detail line per scan: what was found, or why it was left out */
 } capture_options;
-capture_options plb_capture_options_default(void);
+capture_options plb_capture_defaults(void);
 /* Finds the one pencil line in each 8-bit grey or RGB PNG scan, straightens it, pools the statistics. */
-profile *plb_profile_capture(const char *const files[], size_t n, const capture_options *options, error *err);
+profile *plb_capture(const char *const files[], size_t n, const capture_options *options, error *err);
 
-/* ---- reports (profile_report.c, profile_plot.c) ---- */
+/* ---- reports (profile_report.c; the picture is in surface/profile_plot.h) ---- */
 
-bool plb_profile_show(const profile *p, FILE *to);
-bool plb_profile_compare(const profile *a, const profile *b, FILE *to);
-/* A PNG with both histograms, the section and the CCM; written beside `file` and renamed. */
-bool plb_profile_plot(const profile *p, const char *file, error *err);
+bool plb_profile_print(const profile *p, FILE *to);
+bool plb_profile_print_difference(const profile *a, const profile *b, FILE *to);
 
 #endif

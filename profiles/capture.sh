@@ -1,0 +1,44 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# Rebuilds the eight pencils from the scans: profiles/capture.sh [OUTPUT_DIR]. The scans do not belong to this
+# repository; without them the script says so and does nothing (exit status 77). See README.md for what was chosen here.
+set -eu
+here=$(cd "$(dirname "$0")" && pwd)
+program=${PLUMBAGO_PROFILE:-$here/../build/release/plumbago-profile}
+scans=${SCANS:-$here/../../shared/scans/hdbpmn}
+out=${1:-$here}
+if ! [ -d "$scans" ]; then
+    echo "profiles/capture.sh: no scans in $scans; the pencils stay as they are" >&2
+    exit 77
+fi
+export LC_ALL=C
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+# grade, centre medians taken, width at half depth in mm
+while read -r grade centre width; do
+    "$program" capture -v --name "$grade" --centre "$centre" "$scans"/line_*_w0028_*.png "$scans"/line_*_w0054_*.png \
+        -o "$work/all.pencil" 2>"$work/log"
+    sed -n 's/^plumbago-profile: \(.*\): used: .*/\1/p' "$work/log" | sort >"$work/used"
+    {
+        echo "Captured from scans of real pencil lines, sorted into grades by darkness: lines whose median grey at the"
+        echo "centre is $centre. The grade is assigned, not known; so is the width: the measured cross-section was"
+        echo "stretched to $width mm at half depth."
+        echo "Scans: hdBPMN, the hand-drawn BPMN data set, by Bernhard Schaefer, Han van der Aa, Henrik Leopold and Heiner"
+        echo "Stuckenschmidt (Sketch2BPMN, CAiSE 2021), GitHub dwslab/hdBPMN, commit 1d7e5fcd17de, licence CC BY 4.0."
+        echo "Changed: cropped to single lines, turned to grey, some transposed; only statistics of them are kept here."
+        echo "Lines (exercise, writer, horizontal or vertical, place in the scan):"
+        sed 's/.*line_\(.*\)\.png/  \1/' "$work/used"
+    } >"$work/provenance"
+    xargs -a "$work/used" "$program" capture --name "$grade" --width "$width" --provenance "@$work/provenance" -o "$out/$grade.pencil"
+    echo "$grade: $(wc -l <"$work/used") lines"
+done <<'END'
+2H 192-208 0.42
+H  182-198 0.44
+F  172-188 0.46
+HB 166-182 0.47
+B  156-172 0.49
+3B 138-158 0.52
+6B 112-132 0.58
+8B 92-112  0.61
+END
