@@ -82,4 +82,94 @@ $(O)/tests/%: tests/%.c $(O)/libplumbago.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS_ALL) -UNDEBUG -Itests $(shell pkg-config --cflags $(packages_lib)) $< $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) $(LIBS_$(notdir $@)) -lm -o $@
 
+LIBS_tap_replay = $(shell pkg-config --libs cairo-script-interpreter 2>/dev/null || echo -lcairo-script-interpreter)
+
+# ---- tests ------------------------------------------------------------------------------------------------
+# `make check` runs what takes minutes; TESTS= picks some.
+TESTS = $(c_tests:tests/%.c=$(O)/tests/%) $(wildcard tests/cli/*.sh tests/rules/*.sh tests/image/*.sh tests/stage/*.sh tests/*.sh)
+
+.PHONY: check check-only
+check: packages-check
+	+$(Q)$(MAKE) --no-print-directory check-only
+check-only: all $(tests_bin) examples
+	$(Q)tests/run $(O) $(TESTS)
+
+.PHONY: asan ubsan tsan
+asan ubsan tsan:
+	+$(Q)$(MAKE) --no-print-directory BUILD=$@ all
+
+# ---- what users run first -----------------------------------------------------------------------------------
+demo_drawing = examples/plan.svg
+grades = 2H H F HB B 3B 6B 8B
+
+.PHONY: demo demo-pictures
+demo: packages
+	+$(Q)$(MAKE) --no-print-directory demo-pictures
+demo-pictures: all
+	@mkdir -p build/demo
+	$(Q)for p in $(grades); do $(O)/plumbago -p $$p $(demo_drawing) -o build/demo/plan-$$p.png || exit 1; echo "  build/demo/plan-$$p.png"; done
+	@echo "$(demo_drawing), drawn with eight pencils, lies in build/demo."
+
+# ---- packages (Debian) ------------------------------------------------------------------------------------
+packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev libxml2-dev fonts-dejavu-core
+packages_tests = librsvg2-bin ghostscript poppler-utils clang mandoc strace locales unzip
+
+.PHONY: packages packages-check
+packages:
+	@tests/packages $(packages_build)
+packages-check:
+	@tests/packages $(packages_build) $(packages_tests)
+
+# ---- pictures and figures -----------------------------------------------------------------------------------
+.PHONY: figures bench profiles
+figures: all $(tests_bin)
+	$(Q)tests/figures $(O)
+bench: all
+	$(Q)tests/bench $(O)
+profiles: $(O)/plumbago-profile
+	$(Q)profiles/capture.sh $(O)/plumbago-profile
+
+# ---- examples -----------------------------------------------------------------------------------------------
+.PHONY: examples
+examples: $(examples_c:examples/%.c=$(O)/examples/%)
+$(O)/examples/%: examples/%.c $(O)/libplumbago.a
+	$(say) LINK $@
+	@mkdir -p $(@D)
+	$(Q)$(CC) -std=c17 $(WARN) $(flags_$(BUILD)) -Isrc/api $(shell pkg-config --cflags cairo) $< $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) -lm -o $@
+
+# ---- install ------------------------------------------------------------------------------------------------
+manuals = $(wildcard man/*.[1-9])
+
+.PHONY: install uninstall
+install: all
+	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/libexec/plumbago $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/lib/pkgconfig
+	install $(O)/plumbago $(O)/plumbago-profile $(DESTDIR)$(PREFIX)/bin
+	install $(O)/tap-svg $(DESTDIR)$(PREFIX)/libexec/plumbago
+	install -m 644 src/api/plumbago.h $(DESTDIR)$(PREFIX)/include
+	install -m 644 $(O)/libplumbago.a $(DESTDIR)$(PREFIX)/lib
+	printf '%s\n' 'prefix=$(PREFIX)' 'Name: plumbago' 'Description: vector drawings drawn with a pencil' 'Version: $(VERSION)' \
+	    'Requires: cairo libpng' 'Libs: -L$${prefix}/lib -lplumbago -lm' 'Cflags: -I$${prefix}/include' \
+	    > $(DESTDIR)$(PREFIX)/lib/pkgconfig/plumbago.pc
+	for m in $(notdir $(manuals)); do d=$(DESTDIR)$(PREFIX)/share/man/man$${m##*.}; install -d $$d && install -m 644 man/$$m $$d || exit 1; done
+	install -d $(DESTDIR)$(PREFIX)/share/plumbago/profiles && install -m 644 $(pencils) $(DESTDIR)$(PREFIX)/share/plumbago/profiles
+uninstall:
+	rm -f $(DESTDIR)$(PREFIX)/bin/plumbago $(DESTDIR)$(PREFIX)/bin/plumbago-profile $(DESTDIR)$(PREFIX)/include/plumbago.h
+	rm -f $(DESTDIR)$(PREFIX)/lib/libplumbago.a $(DESTDIR)$(PREFIX)/lib/pkgconfig/plumbago.pc
+	rm -rf $(DESTDIR)$(PREFIX)/libexec/plumbago $(DESTDIR)$(PREFIX)/share/plumbago
+	for m in $(notdir $(manuals)); do rm -f $(DESTDIR)$(PREFIX)/share/man/man$${m##*.}/$$m; done
+
+.PHONY: clean help
+clean:
+	rm -rf build
+help:
+	@echo 'make            programs and library, in build/release'
+	@echo 'make demo       installs the packages that are missing, builds, draws a drawing with eight pencils'
+	@echo 'make check      installs the packages that are missing, builds, runs all tests'
+	@echo 'make bench      speed, as ratios to rsvg-convert'
+	@echo 'make figures    the figures of the papers, in build/figures'
+	@echo 'make profiles   captures the eight pencils anew, where the scans are at hand'
+	@echo 'make install    to $$(DESTDIR)$$(PREFIX); uninstall takes it away'
+	@echo 'make clean      removes build/'
+	@echo 'BUILD=release|debug|asan|ubsan|tsan|cover   CC=gcc|clang   V=1: show the commands'
+
 -include $(lib_obj:.o=.d) $(wildcard $(O)/tool/*.d $(O)/*.d $(O)/tests/*/*.d)
