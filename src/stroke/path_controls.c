@@ -34,6 +34,11 @@ static const struct {
  * Chosen by eye: 100 px, half of the first row of table 1, so that D is at most 5 % of the length. */
 #define FULL_SQUIGGLE_PX 100.0
 
+/* Nor is D more than this share of the way to the nearer end. On long lines equation 1 puts the first control point
+ * within 1 % of the length of the end; 5 px there would be a hook at every end. Chosen by eye; of real ends one in five
+ * hooks, by 1 to 2 px. */
+#define STEEPEST 0.2
+
 static double time_step_of(double length)
 {
     double px = length / MM_PER_PAPER_PX;
@@ -57,11 +62,18 @@ double plb_path_squiggle(double length, const stroke_options *o)
     return length < full ? d * length / full : d;
 }
 
+/* The largest deviation at the control point `k` of n: d, less near the ends. */
+static double limit_at(const control *c, size_t k, size_t n, double d)
+{
+    double way = c[k].along < c[n - 1].along - c[k].along ? c[k].along : c[n - 1].along - c[k].along;
+    return d < STEEPEST * way ? d : STEEPEST * way;
+}
+
 /* 001: independent deviations. */
 static void deviate_freely(control *c, size_t n, double d, uint64_t key)
 {
     for (size_t k = 1; k + 1 < n; k++)
-        c[k].off = d * (2 * random_unit(key, k) - 1);
+        c[k].off = limit_at(c, k, n, d) * (2 * random_unit(key, k) - 1);
 }
 
 /* 002 equations 2 and 3: a deviational force D, renewed at each step, against a spring that pulls back towards the
@@ -69,7 +81,7 @@ static void deviate_freely(control *c, size_t n, double d, uint64_t key)
 static void deviate_on_spring(control *c, size_t n, double d, uint64_t key)
 {
     for (size_t k = 1; k + 1 < n; k++) {
-        double force = d * (2 * random_unit(key, k) - 1);
+        double force = limit_at(c, k, n, d) * (2 * random_unit(key, k) - 1);
         double way = force - c[k - 1].off;
         c[k].off = force - SPRING_K1 * way;
     }

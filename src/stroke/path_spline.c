@@ -42,11 +42,18 @@ static double catmull_rom(double a, double b, double c, double d, double u)
     return b + 0.5 * u * (c - a + u * (2 * a - 5 * b + 4 * c - d + u * (3 * (b - c) + d - a)));
 }
 
-/* The control points with one more at each end, reflected, so that the spline reaches the ends. */
-static void extend(const control *c, size_t n, control out[CONTROLS_MAX + 2])
+/* The control points with one more at each end, so that the spline reaches the ends: reflected, or on a closed line
+ * those from the other side of the joint, so that it runs on smoothly. */
+static void extend(const control *c, size_t n, bool closed, control out[CONTROLS_MAX + 2])
 {
     for (size_t i = 0; i < n; i++)
         out[i + 1] = c[i];
+    double length = c[n - 1].along;
+    if (closed) {
+        out[0] = (control){c[n - 2].along - length, c[n - 2].off};
+        out[n + 1] = (control){c[1].along + length, c[1].off};
+        return;
+    }
     out[0] = (control){2 * c[0].along - c[1].along, 2 * c[0].off - c[1].off};
     out[n + 1] = (control){2 * c[n - 1].along - c[n - 2].along, 2 * c[n - 1].off - c[n - 2].off};
 }
@@ -154,7 +161,7 @@ bool plb_path_sample(const stroke_list *list, const stroke *s, const stroke_opti
         return plb_fail(err, ERROR_LIMIT, "a stroke is longer than %g m", LONGEST_MM / 1000);
     control c[CONTROLS_MAX], all[CONTROLS_MAX + 2];
     size_t n = plb_path_controls(length, s->identity, o, c), wanted = count_samples(s, length);
-    extend(c, n, all);
+    extend(c, n, s->closed, all);
     path_sample start = {.at = b.v[0]};
     if (!array_push(out, start))
         return plb_fail_memory(err);
