@@ -6,16 +6,26 @@
 
 #include <math.h>
 
+static void add_to_bin(section_sums *sums, int bin, double weight, double grey)
+{
+    if (bin >= PROFILE_SECTION_BINS)
+        return;
+    sums->n[bin] += weight;
+    sums->sum[bin] += weight * grey;
+    sums->squares[bin] += weight * grey * grey;
+}
+
+/* A pixel counts in the two bins whose middles it lies between, the nearer one more: the figures then change steadily
+ * with the stretch. What would fall into the bin before the first one comes back from the other side of the line. */
 void plb_section_add(section_sums *sums, const line_strip *s, double stretch)
 {
     for (int k = 0; k < s->n; k++)
         for (int o = -s->reach; o <= s->reach && s->usable[k]; o++) {
-            double bin = floor(strip_distance(s, k, o) * stretch / PROFILE_SECTION_STEP), grey = strip_grey(s, k, o);
+            double at = strip_distance(s, k, o) * stretch / PROFILE_SECTION_STEP - 0.5, bin = floor(at);
             if (bin >= PROFILE_SECTION_BINS)
                 continue;
-            sums->n[(int)bin] += 1;
-            sums->sum[(int)bin] += grey;
-            sums->squares[(int)bin] += grey * grey;
+            add_to_bin(sums, bin < 0 ? 0 : (int)bin, 1 - (at - bin), strip_grey(s, k, o));
+            add_to_bin(sums, (int)bin + 1, at - bin, strip_grey(s, k, o));
         }
 }
 

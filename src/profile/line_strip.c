@@ -7,6 +7,7 @@
 #include "profile/histogram.h"
 
 #include "base/array.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -120,10 +121,13 @@ static void find_centreline(straightener *w)
     smooth(w->work, w->line, n, FINE_SIGMA * w->unit);
 }
 
-/* On the scale where paper is 255, and noise of the paper is paper. */
-static uint8_t scaled(int grey, int paper)
+/* On the scale where paper is 255, and noise of the paper is paper. Rounded up or down by a hash of the pixel's place,
+ * so that the mean is kept and no grey is left without pixels (plain rounding would comb the histograms). */
+static uint8_t scaled(const straightener *w, int x, int y)
 {
-    int g = (grey * 255 + paper / 2) / paper;
+    int full = grey_at(w, x, y) * 255, g = full / w->paper;
+    uint64_t place = random_mix((uint64_t)x << 32 | (uint32_t)y);
+    g += (int)(place % (uint64_t)w->paper) < full % w->paper;
     return (uint8_t)(g > STRIP_LIGHTEST ? 255 : g);
 }
 
@@ -137,7 +141,7 @@ static bool straighten_column(const straightener *w, line_strip *out, int k)
         rim += fmin(255, grey_at(w, x, middle - o) * 255.0 / w->paper) + fmin(255, grey_at(w, x, middle + o) * 255.0 / w->paper);
     uint8_t *column = out->grey + (size_t)k * (size_t)strip_rows(out);
     for (int o = -out->reach; o <= out->reach; o++)
-        column[o + out->reach] = abs(o) >= w->rim ? 255 : scaled(grey_at(w, x, middle + o), w->paper);
+        column[o + out->reach] = abs(o) >= w->rim ? 255 : scaled(w, x, middle + o);
     out->offset[k] = w->line[k] - middle;
     double slope = (w->line[k + 1 < out->n ? k + 1 : k] - w->line[k > 0 ? k - 1 : k]) / (k > 0 && k + 1 < out->n ? 2 : 1);
     out->cosine[k] = 1 / sqrt(1 + slope * slope);

@@ -15,7 +15,8 @@
 
 #define PROFILE_GREYS 256
 #define PROFILE_NAME_SIZE 32 /* bytes of a name with its final zero */
-/* Bins of the cross-section: bin k holds distances [k, k + 1) * PROFILE_SECTION_STEP pixels from the centreline. */
+/* Bins of the cross-section: the middle of bin k is (k + 0.5) * PROFILE_SECTION_STEP pixels from the centreline; a
+ * pixel counts in the two bins nearest to it, in proportion. */
 #define PROFILE_SECTION_BINS 64
 #define PROFILE_SECTION_STEP 0.25
 

@@ -25,7 +25,7 @@
 #define LOW 0.01              /* the percentiles that are the bounds */
 #define HIGH 0.99
 #define DPI_TOLERANCE 0.01    /* scans of one profile have one resolution */
-#define WIDTH_STEPS 3         /* of fitting the section to the width wanted */
+#define WIDTH_STEPS 12        /* of fitting the section to the width wanted */
 
 typedef struct {
     const capture_options *options;

@@ -5,7 +5,6 @@
 #include "profile/histogram.h"
 #include "profile/profile.h"
 
-#include "base/number.h"
 #include "base/units.h"
 
 #include <inttypes.h>
@@ -16,6 +15,19 @@
 #define SECTION_SHOWN 0.05  /* the section is listed out to this share of its depth */
 #define LABEL_WIDTH 26
 
+/* `value` with exactly `decimals` digits after the point, so that columns align; in any locale. Writes to `out`. */
+static const char *digits(char out[48], double value, int decimals)
+{
+    static const int64_t powers[] = {1, 10, 100, 1000, 10000};
+    int64_t power = powers[decimals], n = llround(fabs(value) * (double)power);
+    const char *sign = value < 0 && n ? "-" : "";
+    if (decimals == 0)
+        snprintf(out, 48, "%s%" PRId64, sign, n);
+    else
+        snprintf(out, 48, "%s%" PRId64 ".%0*" PRId64, sign, n / power, decimals, n % power);
+    return out;
+}
+
 static void label(FILE *to, const char *text)
 {
     fprintf(to, "%-*s", LABEL_WIDTH, text);
@@ -25,7 +37,7 @@ static void line_number(FILE *to, const char *text, double value, int decimals, 
 {
     char number[48];
     label(to, text);
-    fprintf(to, "%s %s\n", plb_format_number(number, value, decimals), unit);
+    fprintf(to, "%s %s\n", digits(number, value, decimals), unit);
 }
 
 static double mm(const profile *p, double px)
@@ -37,7 +49,7 @@ static void line_width(FILE *to, const char *text, const profile *p, double px)
 {
     char a[48], b[48];
     label(to, text);
-    fprintf(to, "%s mm (%s px)\n", plb_format_number(a, mm(p, px), 3), plb_format_number(b, px, 2));
+    fprintf(to, "%s mm (%s px)\n", digits(a, mm(p, px), 3), digits(b, px, 2));
 }
 
 /* Percentiles of a histogram, without white. */
@@ -48,7 +60,7 @@ static void line_histogram(FILE *to, const char *text, const uint32_t counts[PRO
     label(to, text);
     for (size_t i = 0; i < sizeof shares / sizeof *shares; i++)
         fprintf(to, "%3d ", plb_histogram_percentile(counts, PROFILE_GREYS - 1, shares[i]));
-    fprintf(to, "%6s  %" PRIu64 "\n", plb_format_number(sd, plb_histogram_sd(counts, PROFILE_GREYS - 1), 1),
+    fprintf(to, "%6s  %" PRIu64 "\n", digits(sd, plb_histogram_sd(counts, PROFILE_GREYS - 1), 1),
             plb_histogram_total(counts, PROFILE_GREYS - 1));
 }
 
@@ -93,8 +105,8 @@ static void print_section(FILE *to, const profile *p)
         double grey = (p->section_mean[k] + p->section_mean[k + 1]) / 2;
         if (255 - grey < SECTION_SHOWN * (255 - least))
             break;
-        fprintf(to, "  %6s mm  %6s  %5s\n", plb_format_number(d, mm(p, (k + 1) * PROFILE_SECTION_STEP), 3),
-                plb_format_number(mean, grey, 1), plb_format_number(sd, (p->section_sd[k] + p->section_sd[k + 1]) / 2, 1));
+        fprintf(to, "  %6s mm  %6s  %5s\n", digits(d, mm(p, (k + 1) * PROFILE_SECTION_STEP), 3),
+                digits(mean, grey, 1), digits(sd, (p->section_sd[k] + p->section_sd[k + 1]) / 2, 1));
     }
 }
 
@@ -106,7 +118,7 @@ bool plb_profile_print(const profile *p, FILE *to)
     fprintf(to, "%s\n", p->name);
     label(to, "measured on");
     fprintf(to, "%d line%s, %" PRIu64 " px of line\n", p->lines, p->lines == 1 ? "" : "s", p->pixels);
-    line_number(to, "resolution", p->dpi, 3, "dpi");
+    line_number(to, "resolution", p->dpi, fmod(p->dpi, 1) == 0 ? 0 : 3, "dpi");
     line_number(to, "paper", p->paper, 0, "of 255 in the scans; below it is 255");
     line_width(to, "width at half depth", p, p->width_half);
     line_width(to, "width at a tenth of depth", p, p->width_tenth);
@@ -196,14 +208,14 @@ static double co_occurrence_error(const profile *a, const profile *b)
 static void pair(FILE *to, const char *text, double a, double b, int decimals, const char *meaning)
 {
     char x[48], y[48], d[48];
-    fprintf(to, "%-22s %8s %8s %8s  %s\n", text, plb_format_number(x, a, decimals), plb_format_number(y, b, decimals),
-            plb_format_number(d, b - a, decimals), meaning);
+    fprintf(to, "%-22s %8s %8s %8s  %s\n", text, digits(x, a, decimals), digits(y, b, decimals),
+            digits(d, b - a, decimals), meaning);
 }
 
 static void single(FILE *to, const char *text, double value, int decimals, const char *meaning)
 {
     char d[48];
-    fprintf(to, "%-22s %8s %8s %8s  %s\n", text, "", "", plb_format_number(d, value, decimals), meaning);
+    fprintf(to, "%-22s %8s %8s %8s  %s\n", text, "", "", digits(d, value, decimals), meaning);
 }
 
 bool plb_profile_print_difference(const profile *a, const profile *b, FILE *to)
