@@ -16,8 +16,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 
 # The two writers whose scans are sharp. Left out: a line of the printed grid runs close beside the first three, the
-# fourth is a doubled stroke (both by eye), and the last two are under 3 px wide: to stretch them more than twofold would
-# make lead of what is the scanner's blur.
+# fourth is a doubled stroke (both by eye), and the last two are under 3 px wide: their edge is the scanner's blur.
 left_out='ex02_w0028_v_x1548_y1817|ex03_w0028_h_x0224_y0010|ex03_w0028_h_x0477_y2731|ex03_w0028_v_x0403_y0116|ex03_w0028_h_x1040_y1399|ex03_w0028_h_x1265_y0305'
 ls "$scans"/line_*_w0028_*.png "$scans"/line_*_w0054_*.png | grep -Ev "$left_out" >"$work/lines"
 

@@ -67,7 +67,7 @@ static bool make_strip(const scan *s, double unit, int paper, line_strip *strip,
     scan turned;
     line_track along = {0}, across = {0};
     *strip = (line_strip){0};
-    if (!plb_scan_transpose(s, &turned, err))
+    if (!plb_scan_png_transpose(s, &turned, err))
         return false;
     bool good = plb_line_find(s, unit, paper, &along, err) && plb_line_find(&turned, unit, paper, &across, err);
     bool upright = across.score > along.score;
@@ -75,7 +75,7 @@ static bool make_strip(const scan *s, double unit, int paper, line_strip *strip,
         good = plb_line_strip_make(upright ? &turned : s, upright ? &across : &along, unit, paper, strip, err);
     plb_line_track_free(&along);
     plb_line_track_free(&across);
-    plb_scan_free(&turned);
+    plb_scan_png_free(&turned);
     return good;
 }
 
@@ -113,10 +113,10 @@ static bool add_strip(capture *c, const char *file, const scan *s, error *err)
 static bool add_scan(capture *c, const char *file, error *err)
 {
     scan s;
-    if (!plb_scan_read(&s, file, err))
+    if (!plb_scan_png_read(&s, file, err))
         return false;
     bool good = settle_dpi(c, file, &s, err) && add_strip(c, file, &s, err);
-    plb_scan_free(&s);
+    plb_scan_png_free(&s);
     return good;
 }
 

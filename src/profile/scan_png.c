@@ -111,7 +111,7 @@ static bool read_open_file(reader *r, scan *s)
     return good;
 }
 
-bool plb_scan_read(scan *s, const char *file, error *err)
+bool plb_scan_png_read(scan *s, const char *file, error *err)
 {
     *s = (scan){0};
     reader r = {.file = file, .from = fopen(file, "rb"), .err = err};
@@ -122,7 +122,7 @@ bool plb_scan_read(scan *s, const char *file, error *err)
     return good;
 }
 
-bool plb_scan_transpose(const scan *s, scan *out, error *err)
+bool plb_scan_png_transpose(const scan *s, scan *out, error *err)
 {
     *out = (scan){.width = s->height, .height = s->width, .dpi = s->dpi};
     out->grey = plb_new((size_t)s->width * (size_t)s->height, 1);
@@ -134,7 +134,7 @@ bool plb_scan_transpose(const scan *s, scan *out, error *err)
     return true;
 }
 
-void plb_scan_free(scan *s)
+void plb_scan_png_free(scan *s)
 {
     plb_free(s->grey);
     s->grey = NULL;

@@ -21,10 +21,10 @@ typedef struct {
 } scan;
 
 /* Any kind of PNG; colour is turned to grey as 0.299 R + 0.587 G + 0.114 B of the stored values (ITU-R BT.601), and
- * transparent pixels lie on white. The caller frees with plb_scan_free. */
-bool plb_scan_read(scan *s, const char *file, error *err);
+ * transparent pixels lie on white. The caller frees with plb_scan_png_free. */
+bool plb_scan_png_read(scan *s, const char *file, error *err);
 /* Rows and columns exchanged. */
-bool plb_scan_transpose(const scan *s, scan *out, error *err);
-void plb_scan_free(scan *s);
+bool plb_scan_png_transpose(const scan *s, scan *out, error *err);
+void plb_scan_png_free(scan *s);
 
 #endif
