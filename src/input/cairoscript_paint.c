@@ -5,6 +5,8 @@
  */
 #include "input/cairoscript_state.h"
 
+#include <math.h>
+
 /* How far back a clip is looked for that was made before: the same one comes again for each element. */
 #define CLIPS_BACK 8
 
@@ -82,6 +84,39 @@ static void drop_last_move(path *p)
         return;
     p->ops.n--;
     p->points.n--;
+}
+
+/* How far points may lie off a line, in steps of cairo's numbers (1/256), to count as on it. */
+#define FLAT (4.0 / 256)
+
+/* Do all points from `from` to `to` lie on one line? */
+static bool is_flat(const point *from, const point *to)
+{
+    point far = {0, 0};
+    for (const point *p = from; p < to; p++)
+        if (plb_point_length(point_sub(*p, *from)) > plb_point_length(far))
+            far = point_sub(*p, *from);
+    double length = plb_point_length(far);
+    for (const point *p = from; p < to; p++)
+        if (fabs(point_cross(far, point_sub(*p, *from))) > FLAT * length)
+            return false;
+    return true;
+}
+
+/* True when no subpath has an area: a lone line is "filled" by many drawings, because filling is SVG's default. */
+static bool has_no_area(const path *p)
+{
+    static const size_t points_of[] = {[PATH_MOVE] = 1, [PATH_LINE] = 1, [PATH_CURVE] = 3, [PATH_CLOSE] = 0};
+    size_t start = 0, at = 0;
+    for (size_t i = 0; i < p->ops.n; i++) {
+        if (p->ops.v[i] == PATH_MOVE) {
+            if (!is_flat(p->points.v + start, p->points.v + at))
+                return false;
+            start = at;
+        }
+        at += points_of[p->ops.v[i]];
+    }
+    return is_flat(p->points.v + start, p->points.v + at);
 }
 
 /* The context's path and paint as an item of the target's list. */
@@ -176,6 +211,8 @@ bool plb_script_fill(script_state *s, script_context *c)
         c->clip = outer;
         return true;
     }
+    if (has_no_area(&c->path))
+        return true;
     item it;
     if (!start_item(s, c, ITEM_FILL, &it))
         return false;

@@ -51,7 +51,7 @@ typedef struct {
 /* What fonts are found by, and nothing else of the user's environment. */
 static bool is_passed_on(const char *variable)
 {
-    static const char *const kept[] = {"HOME=", "XDG_", "FONTCONFIG_", "ASAN_OPTIONS=", "UBSAN_OPTIONS=", NULL};
+    static const char *const kept[] = {"HOME=", "XDG_", "FONTCONFIG_", NULL};
     for (int i = 0; kept[i]; i++)
         if (!strncmp(variable, kept[i], strlen(kept[i])))
             return true;

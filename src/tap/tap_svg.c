@@ -58,7 +58,7 @@ static void __attribute__((noreturn, format(printf, 2, 3))) quit(int status, con
         if (*p == '\n' || *p == '\r')
             *p = ' ';
     fprintf(stderr, "%s\n", text);
-    exit(status);
+    _exit(status);
 }
 
 /* ---- output: one big buffer, since cairo writes each number by itself -------------------------------------- */
@@ -89,6 +89,14 @@ static cairo_status_t put(void *closure, const unsigned char *data, unsigned n)
         if (out_used == sizeof out)
             flush_out();
     }
+    return CAIRO_STATUS_SUCCESS;
+}
+
+static cairo_status_t discard(void *closure, const unsigned char *data, unsigned n)
+{
+    (void)closure;
+    (void)data;
+    (void)n;
     return CAIRO_STATUS_SUCCESS;
 }
 
@@ -286,14 +294,15 @@ static placing place(const page *p)
     return (placing){.turn = {c, s, -s, c, h * s, 0}, .scale = scale, .width = w * c + h * s, .height = w * s + h * c};
 }
 
-static void write_head(const page *p, const placing *l, const GByteArray *text)
+static void write_head(const page *p, const GByteArray *text)
 {
     static const char *const images[] = {"<image", ":image ", NULL};
     static const char *const masks[] = {"mask=\"url", "mask='url", "mask:url", "mask: url", NULL};
     static const char *const filters[] = {"filter=\"url", "filter='url", "filter:url", "filter: url", NULL};
-    cairo_matrix_t back = l->turn;
+    placing l = place(p);
+    cairo_matrix_t back = l.turn;
     cairo_matrix_invert(&back);
-    double k = MM_PER_PX / l->scale;
+    double k = MM_PER_PX / l.scale;
     char line[400];
     int n = snprintf(line, sizeof line, "%%%%Plumbago-tap 1 %.9g %.9g %.12g %.12g %.12g %.12g %.12g %.12g %lu %lu %lu\n",
                      p->width * MM_PER_PX, p->height * MM_PER_PX, back.xx * k, back.yx * k, back.xy * k, back.yy * k,
@@ -301,9 +310,9 @@ static void write_head(const page *p, const placing *l, const GByteArray *text)
     put(NULL, (const unsigned char *)line, (unsigned)n);
 }
 
-/* The turn (unless the document's own would win), and what would only make pixels switched off: the drawing behind
- * masks and filters stays. Pattern tiles are drawn upright, out of the turn's reach, and nobody reads them. */
-static void set_style(RsvgHandle *svg, const placing *l, double magnify, const page *p, bool by_style, bool no_text)
+/* The turn (unless cairo does it), and what would only make pixels switched off: the drawing behind masks and filters
+ * stays. Pattern tiles are drawn upright, out of the turn's reach, and nobody reads them. */
+static void set_style(RsvgHandle *svg, const page *p, const placing *l, double magnify, bool by_style, bool no_text)
 {
     char style[700] = "", turn[200] = "";
     if (by_style)
@@ -316,37 +325,47 @@ static void set_style(RsvgHandle *svg, const placing *l, double magnify, const p
         quit(EXIT_REFUSED, "%s", error->message);
 }
 
-static void draw(RsvgHandle *svg, const GByteArray *text, const page *p, bool no_text)
+/* Draws into `sink`. False: cairo or librsvg refused; `why` says so. */
+static bool draw(RsvgHandle *svg, const page *p, bool by_style, bool no_text, cairo_write_func_t sink, char why[200])
 {
     placing l = place(p);
-    bool by_style = !root_is_transformed(text);
     /* The viewport holds the turned page: librsvg makes the surfaces of groups as large as it. */
-    double fit = fmin(6, fmax(l.width / (p->width * l.scale), l.height / (p->height * l.scale)));
-    RsvgRectangle viewport = {0, 0, p->width * l.scale * (by_style ? fit : 1), p->height * l.scale * (by_style ? fit : 1)};
-    if (p->by_extents)
+    double fit = by_style ? fmin(6, fmax(l.width / p->width, l.height / p->height) / l.scale) : 1;
+    RsvgRectangle viewport = {0, 0, p->width * l.scale * fit, p->height * l.scale * fit};
+    if (p->by_extents) /* nothing scales the drawing to a viewport: it has no viewBox */
         viewport = (RsvgRectangle){0, 0, PX_EMPTY, PX_EMPTY};
-    set_style(svg, &l, p->by_extents ? l.scale : 1 / fit, p, by_style, no_text);
-    write_head(p, &l, text);
-    cairo_device_t *script = cairo_script_create_for_stream(put, NULL);
+    set_style(svg, p, &l, p->by_extents ? l.scale : 1 / fit, by_style, no_text);
+    cairo_device_t *script = cairo_script_create_for_stream(sink, NULL);
     cairo_surface_t *surface = cairo_script_surface_create(script, CAIRO_CONTENT_COLOR_ALPHA, l.width, l.height);
     cairo_t *cr = cairo_create(surface);
     if (!by_style) {
+        double k = p->by_extents ? l.scale : 1;
         cairo_set_matrix(cr, &l.turn);
-        if (p->by_extents) {
-            cairo_scale(cr, l.scale, l.scale);
-            cairo_translate(cr, -p->x, -p->y);
-        }
+        cairo_scale(cr, k, k);
+        cairo_translate(cr, -p->x, -p->y);
     }
     GError *error = NULL;
     bool done = rsvg_handle_render_document(svg, cr, &viewport, &error);
     cairo_status_t status = cairo_status(cr);
+    snprintf(why, 200, "librsvg stopped: %s", error ? error->message : cairo_status_to_string(status));
+    g_clear_error(&error);
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
     cairo_device_finish(script);
     cairo_device_destroy(script);
-    flush_out();
-    if (!done || status)
-        quit(EXIT_REFUSED, "librsvg stopped: %s", done ? cairo_status_to_string(status) : error->message);
+    return done && !status;
+}
+
+/* Who turns the page. The style does it best, but not where the document's root has a transform of its own, which
+ * wins; and librsvg takes the boxes of clip paths in box units upright, so there cairo has to do it, if its faults
+ * allow, which is tried first. */
+static bool turn_by_style(RsvgHandle *svg, const GByteArray *text, const page *p, bool no_text)
+{
+    static const char *const box_units[] = {"clipPathUnits=\"objectB", "clipPathUnits='objectB", NULL};
+    char why[200];
+    if (root_is_transformed(text))
+        return false;
+    return !count(text, box_units) || !draw(svg, p, false, no_text, discard, why);
 }
 
 int main(int argc, char **argv)
@@ -365,7 +384,12 @@ int main(int argc, char **argv)
         text = recover(text);
     RsvgHandle *svg = load(text);
     page p = find_page(svg);
-    draw(svg, text, &p, no_text);
-    g_object_unref(svg);
-    return EXIT_DONE;
+    bool by_style = turn_by_style(svg, text, &p, no_text);
+    char why[200];
+    write_head(&p, text);
+    bool done = draw(svg, &p, by_style, no_text, put, why);
+    flush_out();
+    if (!done)
+        quit(EXIT_REFUSED, "%s", why);
+    _exit(EXIT_DONE); /* no time for tidying up */
 }
