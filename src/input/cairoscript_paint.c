@@ -108,6 +108,8 @@ static bool has_no_area(const path *p)
 {
     static const size_t points_of[] = {[PATH_MOVE] = 1, [PATH_LINE] = 1, [PATH_CURVE] = 3, [PATH_CLOSE] = 0};
     size_t start = 0, at = 0;
+    if (!p->points.n)
+        return true;
     for (size_t i = 0; i < p->ops.n; i++) {
         if (p->ops.v[i] == PATH_MOVE) {
             if (!is_flat(p->points.v + start, p->points.v + at))

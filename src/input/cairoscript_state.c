@@ -133,6 +133,16 @@ bool plb_script_take(script_state *s, size_t n, double *numbers)
     return true;
 }
 
+bool plb_script_pop_kind(script_state *s, value_kind kind, const char *what)
+{
+    script_value *v = plb_script_peek(s, 0);
+    if (!v)
+        return false;
+    if (v->kind != kind)
+        return plb_fail(s->err, ERROR_SYNTAX, "an operand is not a %s", what);
+    return plb_script_pop(s);
+}
+
 void *plb_script_top(script_state *s, script_kind kind)
 {
     static const char *const names[] = {"surface", "pattern", "context"};

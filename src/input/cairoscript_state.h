@@ -76,6 +76,10 @@ typedef struct {
     };
 } script_value;
 
+/* What a //CONSTANT means to the operator that takes it. */
+enum { CONST_OTHER, CONST_BUTT, CONST_ROUND, CONST_SQUARE, CONST_EVEN_ODD, CONST_EXTEND_NONE, CONST_EXTEND_PAD, CONST_NO_INK };
+
+/* What a /NAME means; /s12 is 12. */
 #define NAME_TARGET (-1)
 #define NAME_SOURCE (-2)
 #define NAME_OTHER (-3)
@@ -119,7 +123,20 @@ script_value *plb_script_peek(script_state *s, size_t depth);
 bool plb_script_take(script_state *s, size_t n, double *numbers);
 /* The object on top, of that kind; borrowed. NULL and an error when it is not there. */
 void *plb_script_top(script_state *s, script_kind kind);
+/* Pops a value of that kind; an error that speaks of `what` when another is there. */
+bool plb_script_pop_kind(script_state *s, value_kind kind, const char *what);
 void plb_script_free(script_state *s);
+
+/* Operators: two tables, each sorted by name. */
+typedef bool (*script_operation)(script_state *s);
+typedef struct {
+    const char *name;
+    script_operation run;
+} script_operator;
+extern const script_operator plb_script_draw_operators[], plb_script_object_operators[];
+extern const size_t plb_script_draw_count, plb_script_object_count;
+/* What /s12 (12) stands for; NULL: nothing. */
+script_binding *plb_script_lookup(script_state *s, int id);
 
 /* Painting (cairoscript_paint.c). */
 bool plb_script_fill(script_state *s, script_context *c);
