@@ -124,7 +124,7 @@ packages-check:
 .PHONY: figures bench profiles
 figures: all $(tests_bin)
 	$(Q)tests/figures $(O)
-bench: all
+bench: all $(O)/tests/tools/measure
 	$(Q)tests/bench $(O)
 profiles: $(O)/plumbago-profile
 	$(Q)profiles/capture.sh $(O)/plumbago-profile

@@ -1,0 +1,61 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# drawing.sh KIND [N]: writes a drawing to measure by, as SVG, to standard output; always the same one.
+#   barn       a barn of 40 lines, 800 by 600 px
+#   segments   N straight lines as a CAD plan has them, on 2000 by 1500 px: walls, doors, hatching, dimensions
+#   curves     N cubic curves, each a path of its own, on 2000 by 1500 px
+LC_ALL=C awk -v kind="$1" -v n="${2:-0}" '
+function page(w, h, width) {
+    printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" fill=\"none\" stroke=\"#000\" stroke-width=\"%s\">\n", w, h, width
+}
+# Two decimals, as CAD programs write them.
+function line(x0, y0, x1, y1) { if (drawn++ < n) printf "<path d=\"M%.2f %.2fL%.2f %.2f\"/>\n", x0, y0, x1, y1 }
+function box(x, y, w, h) { line(x, y, x + w, y); line(x + w, y, x + w, y + h); line(x + w, y + h, x, y + h); line(x, y + h, x, y) }
+# Uniform in [low, high): a linear congruence whose products stay exact (Park and Miller 1988).
+function random(low, high) { state = state * 16807 % 2147483647; return low + (high - low) * state / 2147483647 }
+
+function barn(    k) {
+    box(140, 280, 240, 220); line(140, 280, 260, 160); line(260, 160, 380, 280)        # gable: 6
+    line(260, 160, 560, 130); line(380, 280, 680, 250); line(560, 130, 680, 250)       # roof: 9
+    line(680, 250, 680, 465); line(680, 465, 380, 500)                                 # side: 11
+    box(215, 370, 90, 130); line(215, 370, 305, 500); line(305, 370, 215, 500)         # door: 17
+    box(240, 225, 40, 40); line(260, 225, 260, 265); line(240, 245, 280, 245)          # loft: 23
+    for (k = 1; k <= 8; k++) line(380 + 34 * k, 280 - 3.5 * k, 380 + 34 * k, 500 - 4 * k)           # boards: 31
+    for (k = 1; k <= 7; k++) line(260 + 17 * k, 160 + 17 * k, 560 + 15 * k, 130 + 15 * k)           # roofing: 38
+    line(40, 520, 380, 500); line(680, 465, 780, 480)                                  # ground: 40
+}
+# A room of w by h with its corner at (x, y): double walls, a door, a window, dimensions, and then hatching.
+function room(x, y, w, h, hatches,    k, t, d) {
+    box(x, y, w, h); box(x + 5, y + 5, w - 10, h - 10)
+    d = random(.15, .3) * w
+    line(x + d, y + h, x + d, y + h - .2 * w); line(x + d, y + h - .2 * w, x + d + .15 * w, y + h - .12 * w)
+    line(x + .6 * w, y + 1.7, x + .85 * w, y + 1.7); line(x + .6 * w, y + 3.3, x + .85 * w, y + 3.3)
+    line(x, y - 9, x + w, y - 9); line(x, y - 12, x, y - 2); line(x + w, y - 12, x + w, y - 2)
+    line(x - 9, y, x - 9, y + h); line(x - 12, y, x - 2, y); line(x - 12, y + h, x - 2, y + h)
+    box(x + random(.3, .4) * w, y + random(.3, .4) * h, .25 * w, .3 * h)
+    for (k = 0; k < hatches; k++) {                             # at 45 degrees, within the walls
+        t = (k + .5) / hatches * (w + h - 20)
+        line(x + 5 + (t > h - 10 ? t - h + 10 : 0), y + 5 + (t > h - 10 ? h - 10 : t), \
+             x + 5 + (t > w - 10 ? w - 10 : t), y + 5 + (t > w - 10 ? t - w + 10 : 0))
+    }
+}
+function plan(    across, down, w, h, i, j, hatches) {
+    hatches = n > 5000 ? 28 : 10
+    across = int(sqrt(n / (22 + hatches) * 4 / 3)) + 1
+    down = int(n / (22 + hatches) / across) + 1
+    w = 1960 / across; h = 1460 / down
+    for (j = 0; j < down; j++) for (i = 0; i < across; i++) room(30 + i * w, 30 + j * h, w - 16, h - 16, hatches)
+}
+function curve(    x, y, k, d) {
+    x = random(40, 1960); y = random(40, 1460); d = "M" sprintf("%.2f %.2f", x, y) "C"
+    for (k = 0; k < 3; k++) d = d sprintf("%.2f %.2f ", x + random(-60, 60), y + random(-60, 60))
+    print "<path d=\"" d "\"/>"
+}
+BEGIN {
+    state = 20081
+    if (kind == "barn") { n = 40; page(800, 600, "1.5"); barn() }
+    else if (kind == "segments") { page(2000, 1500, "1"); plan() }
+    else if (kind == "curves") { page(2000, 1500, "1"); for (k = 0; k < n; k++) curve() }
+    else { print "usage: drawing.sh barn|segments|curves [N]" >"/dev/stderr"; exit 2 }
+    print "</svg>"
+}'
