@@ -63,7 +63,7 @@ static bool read_rgba(reader *r, scan *s)
 {
     if (setjmp(png_jmpbuf(r->png)))
         return false;
-    png_set_user_limits(r->png, SCAN_MAX_SIDE, SCAN_MAX_SIDE);
+    png_set_user_limits(r->png, PNG_UINT_31_MAX, PNG_UINT_31_MAX); /* check_size has its own, with its own words */
     png_init_io(r->png, r->from);
     png_read_info(r->png, r->info);
     if (!check_size(r, s))

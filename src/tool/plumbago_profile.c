@@ -114,12 +114,12 @@ static const option table[] = {
     {0, NULL, NULL, "For capture", NULL},
     {'o', "output", "FILE", "write the profile to FILE", set_output},
     {0, "name", "NAME", "name of the pencil, up to 31 bytes [pencil]", set_name},
-    {0, "dpi", "DPI", "resolution of the scans, 10 to 10000 [as the PNG says, else 300]", set_dpi},
-    {0, "centre", "MIN-MAX", "use only lines whose median grey at the centre lies in MIN-MAX [0-255]", set_centre},
-    {0, "width", "MM", "stretch the cross-section to this width at half depth, up to 2 mm [as measured]", set_width},
+    {0, "dpi", "DPI", "resolution of the scans [as the PNG says, else 300]", set_dpi},
+    {0, "centre", "MIN-MAX", "only lines whose median grey at the centre is within [0-255]", set_centre},
+    {0, "width", "MM", "stretch the line to this width at half depth [as measured]", set_width},
     {0, "provenance", "TEXT|@FILE", "text to keep in the profile: scans, hand, licence", set_provenance},
     {0, NULL, NULL, "For show", NULL},
-    {0, "plot", "FILE", "draw histograms, cross-section and co-occurrence as a PNG too", set_plot},
+    {0, "plot", "FILE", "draw histograms, section and co-occurrence as a PNG too", set_plot},
     {0, NULL, NULL, "Diagnosis", NULL},
     {'v', "verbose", NULL, "say what was found in each scan", set_verbose},
     {0, "version", NULL, "show the version", set_version},
@@ -248,7 +248,7 @@ static int run_command(settings *s, char **operands, int n)
         if (n - 1 < commands[i].least || n - 1 > commands[i].most)
             return wrong(commands[i].wanted);
         if (s->used & ~commands[i].options)
-            return wrong(commands[i].options == FOR_SHOW ? "show takes no option but --plot" : commands[i].options ? "--plot is for show" : "compare takes no such option");
+            return wrong(commands[i].options == FOR_SHOW ? "show takes only --plot" : commands[i].options ? "--plot is for show" : "compare takes neither --plot nor options for capture");
         return commands[i].run(s, operands + 1, n - 1);
     }
     return wrong("there is no such command: capture, show or compare");
