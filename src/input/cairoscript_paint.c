@@ -10,26 +10,28 @@
 /* How far back a clip is looked for that was made before: the same one comes again for each element. */
 #define CLIPS_BACK 8
 
-static bool count_held(script_state *s, const script_surface *f, size_t n)
+/* Groups can be painted twice in each group above: what all that are alive hold together is bounded. */
+static bool count_held(script_state *s, script_surface *f)
 {
     if (f->list == s->page)
         return true;
-    s->held += n;
+    size_t held = f->list->points + (f->list->items.n + f->list->clips.n) * SCRIPT_ITEM_POINTS;
+    s->held += held - f->held;
+    f->held = held;
     return s->held <= LIST_MAX_POINTS || plb_fail(s->err, ERROR_LIMIT, "the drawing's groups hold more than %u points", LIST_MAX_POINTS);
 }
 
-static bool add_item(script_state *s, const script_surface *f, item *it)
+static bool add_item(script_state *s, script_surface *f, item *it)
 {
-    size_t items = f->list->items.n, points = f->list->points;
     if (!plb_list_add(f->list, it, s->err)) {
         plb_item_free(it);
         return false;
     }
-    return count_held(s, f, f->list->items.n - items + f->list->points - points);
+    return count_held(s, f);
 }
 
 /* Moves `narrow` into the surface's list, unless the same one is there already. */
-static bool add_clip(script_state *s, const script_surface *f, clip *narrow, int *index)
+static bool add_clip(script_state *s, script_surface *f, clip *narrow, int *index)
 {
     size_t n = f->list->clips.n;
     for (size_t back = 1; back <= CLIPS_BACK && back <= n; back++) {
@@ -40,12 +42,11 @@ static bool add_clip(script_state *s, const script_surface *f, clip *narrow, int
         *index = (int)(n - back);
         return true;
     }
-    size_t points = narrow->path.points.n;
     if (!plb_list_add_clip(f->list, narrow, index, s->err)) {
         plb_path_free(&narrow->path);
         return false;
     }
-    return count_held(s, f, points + 1);
+    return count_held(s, f);
 }
 
 bool plb_script_clip(script_state *s, script_context *c)
@@ -154,7 +155,7 @@ static bool copy_item(script_state *s, const item *from, matrix m, item *to)
 }
 
 /* The group's clips in the target's list; where[i] is the new index of the group's clip i. */
-static bool splice_clips(script_state *s, const script_surface *to, const display_list *group, matrix m, int outer, int *where)
+static bool splice_clips(script_state *s, script_surface *to, const display_list *group, matrix m, int outer, int *where)
 {
     for (size_t i = 0; i < group->clips.n; i++) {
         const clip *from = &group->clips.v[i];
@@ -171,7 +172,8 @@ static bool splice_clips(script_state *s, const script_surface *to, const displa
 
 static bool splice(script_state *s, const script_context *c, int outer, double alpha)
 {
-    const script_surface *from = c->source->surface, *to = c->target;
+    const script_surface *from = c->source->surface;
+    script_surface *to = c->target;
     matrix out;
     if (from->is_image) {
         s->page->images++;

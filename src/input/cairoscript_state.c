@@ -66,7 +66,7 @@ void plb_script_release(script_state *s, script_object *o)
     s->objects--;
     if (o->kind == OBJECT_SURFACE) {
         script_surface *f = (script_surface *)o;
-        s->held -= f->own.items.n + f->own.clips.n + f->own.points;
+        s->held -= f->held;
         plb_list_free(&f->own);
     } else if (o->kind == OBJECT_PATTERN) {
         script_pattern *p = (script_pattern *)o;

@@ -29,6 +29,7 @@ typedef struct {
     matrix to_list;     /* from this surface's units to the list's */
     double width, height;
     bool is_image;      /* pixels: nothing for us in it */
+    size_t held;        /* its part of script_state.held */
 } script_surface;
 
 typedef struct {
@@ -99,13 +100,14 @@ typedef struct {
     matrix to_page; /* from the outermost surface's units to mm */
     double page_width, page_height; /* of the outermost surface */
     bool has_page;  /* the outermost surface was made */
-    size_t objects, held; /* alive: objects; items and points on groups */
+    size_t objects, held; /* alive: objects; points on groups, items counted as some */
     error *err;
 } script_state;
 
 /* Most objects, bindings and values alive at once; a deep drawing has some hundred. */
 #define SCRIPT_MAX_OBJECTS 100000u
 #define SCRIPT_MAX_STACK 100000u
+#define SCRIPT_ITEM_POINTS 16u /* an item or clip takes the memory of so many points */
 
 /* Each `new` gives one reference, to be released or handed on; NULL and an error on failure. */
 script_surface *plb_script_new_surface(script_state *s, display_list *list);

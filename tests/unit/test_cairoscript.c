@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The reader of what tap-svg writes: hand-written scripts, right and wrong ones.
+ */
+#include "check.h"
+
+#include "input/cairoscript.h"
+
+#define HEAD "%%Plumbago-tap 1 100 50 0.1 0 0 0.1 0 0 0 0 0\n%!CairoScript\n<< /content //COLOR_ALPHA /width 1000 /height 500 >> surface context\n"
+
+/* A text given in pieces, as a pipe gives it. */
+typedef struct {
+    const char *at;
+    size_t left, piece;
+} pieces;
+
+static bool give(void *closure, const char **data, size_t *size)
+{
+    pieces *p = closure;
+    if (!p->left)
+        return false;
+    *size = p->piece < p->left ? p->piece : p->left;
+    *data = p->at;
+    p->at += *size;
+    p->left -= *size;
+    return true;
+}
+
+static bool read_in_pieces(const char *text, size_t piece, display_list *list, error *err)
+{
+    pieces p = {text, strlen(text), piece};
+    cairoscript_source from = {.refill = give, .closure = &p};
+    plb_list_init(list);
+    *err = (error){0};
+    bool ok = plb_read_cairoscript(&from, list, err);
+    if (ok != from.complete || ok != (err->kind == ERROR_NONE))
+        printf("FAIL read_in_pieces: result, completeness and error disagree\n");
+    return ok;
+}
+
+static bool read_script(const char *text, display_list *list)
+{
+    error err;
+    return read_in_pieces(text, 1 << 16, list, &err);
+}
+
+static bool is_near(double a, double b) { return fabs(a - b) < 1e-9; }
+
+static bool is_point(const path *p, size_t i, double x, double y)
+{
+    return i < p->points.n && is_near(p->points.v[i].x, x) && is_near(p->points.v[i].y, y);
+}
+
+static void page_and_stroke(void)
+{
+    display_list list;
+    CHECK(read_script(HEAD "n 100 200 m 300 200 l\n1 0 0 rgb set-source\n[2 0 0 8 0 0] set-matrix\n5 set-line-width\n"
+                      "//LINE_CAP_ROUND set-line-cap\n[3 4 5] 1 set-dash\nstroke+\npop\n", &list));
+    CHECK(is_near(list.width, 100) && is_near(list.height, 50));
+    CHECK(list.items.n == 1);
+    const item *it = list.items.v;
+    CHECK(it->kind == ITEM_STROKE && it->cap == LINE_CAP_ROUND && it->clip == NO_CLIP);
+    CHECK(it->path.ops.n == 2 && is_point(&it->path, 0, 10, 20) && is_point(&it->path, 1, 30, 20));
+    CHECK(is_near(it->width, 5 * 4 * 0.1)); /* the pen's mean scale is sqrt(2 * 8) */
+    CHECK(it->dash.n == 6 && is_near(it->dash.v[0], 1.2) && is_near(it->dash.v[5], 2) && is_near(it->dash_offset, 0.4));
+    CHECK(it->paint.kind == PAINT_SOLID && it->paint.red == 1 && it->paint.green == 0 && it->paint.alpha == 1);
+    plb_list_free(&list);
+}
+
+static void head_turns_back(void)
+{
+    display_list list;
+    CHECK(read_script("%%Plumbago-tap 1 30 20 0 -0.5 0.5 0 1 2 3 4 5\n<< >> surface context n 10 20 m 30 20 l 2 set-line-width stroke+", &list));
+    CHECK(is_point(&list.items.v[0].path, 0, 0.5 * 20 + 1, -0.5 * 10 + 2));
+    CHECK(is_near(list.items.v[0].width, 1));
+    CHECK(list.images == 3 && list.masks == 4);
+    plb_list_free(&list);
+}
+
+static void path_stays_after_painting(void)
+{
+    display_list list;
+    CHECK(read_script(HEAD "n 0 0 m 10 0 l 10 10 l h 0 0 m\n//EVEN_ODD set-fill-rule fill+ stroke+ n 5 5 10 20 rectangle fill+ pop", &list));
+    CHECK(list.items.n == 3);
+    CHECK(list.items.v[0].kind == ITEM_FILL && list.items.v[0].even_odd && list.items.v[1].kind == ITEM_STROKE);
+    CHECK(plb_path_equal(&list.items.v[0].path, &list.items.v[1].path));
+    CHECK(list.items.v[0].path.ops.n == 4); /* the move after the close is gone */
+    CHECK(list.items.v[2].path.ops.n == 5 && is_point(&list.items.v[2].path, 2, 1.5, 2.5));
+    plb_list_free(&list);
+}
+
+static void lines_have_no_area(void)
+{
+    display_list list;
+    CHECK(read_script(HEAD "n 0 0 m 10 10 l fill+ n 0 0 m 5 5 l 100 100 l h 0 0 m 7 0 m 9 9 l fill+ n fill+ stroke+ pop", &list));
+    CHECK(list.items.n == 0);
+    plb_list_free(&list);
+}
+
+static void clips_narrow_and_are_shared(void)
+{
+    display_list list;
+    CHECK(read_script(HEAD "n 0 0 100 100 rectangle clip+ n 10 10 m 20 10 l 20 30 l h clip+ n 0 0 m 9 9 l stroke+\n"
+                      "reset-clip n 0 0 100 100 rectangle clip+ n 1 1 m 9 9 l stroke+ reset-clip n 2 2 m 9 9 l stroke+", &list));
+    CHECK(list.clips.n == 2 && list.clips.v[0].parent == NO_CLIP && list.clips.v[1].parent == 0);
+    CHECK(list.items.n == 3 && list.items.v[0].clip == 1 && list.items.v[1].clip == 0 && list.items.v[2].clip == NO_CLIP);
+    plb_list_free(&list);
+}
+
+static void groups_are_spliced(void)
+{
+    display_list list;
+    CHECK(read_script(HEAD "n 0 0 500 500 rectangle clip+\ndup 100 100 //COLOR_ALPHA similar dup /s7 exch def context\n"
+                      "n 0 0 50 50 rectangle clip+ n 0 0 m 10 0 l 0.5 a set-source 2 set-line-width stroke+ pop\n"
+                      "s7 pattern [0.5 0 0 0.5 -10 0] set-matrix set-source 0.25 a mask /s7 undef pop", &list));
+    CHECK(list.items.n == 1 && list.clips.n == 2);
+    const item *it = list.items.v;
+    CHECK(is_near(it->paint.alpha, 0.125));
+    CHECK(is_point(&it->path, 0, 2, 0) && is_point(&it->path, 1, 4, 0)); /* the pattern's matrix goes the other way */
+    CHECK(is_near(it->width, 0.4));
+    CHECK(it->clip == 1 && list.clips.v[1].parent == 0);
+    CHECK(list.masks == 0);
+    plb_list_free(&list);
+}
+
+static void groups_in_groups(void)
+{
+    display_list list;
+    CHECK(read_script(HEAD "dup 9 9 //COLOR_ALPHA similar dup /s2 exch def context\n"
+                      "dup 9 9 //COLOR_ALPHA similar dup /s3 exch def context n 1 1 m 2 2 l stroke+ pop\n"
+                      "s3 pattern set-source 0.5 a mask s3 pattern [1 0 0 1 5 5] set-matrix set-source paint pop\n"
+                      "s2 pattern set-source 0.5 a mask /s3 undef /s2 undef pop", &list));
+    CHECK(list.items.n == 2);
+    CHECK(is_near(list.items.v[0].paint.alpha, 0.25) && is_near(list.items.v[1].paint.alpha, 0.5));
+    CHECK(is_point(&list.items.v[1].path, 0, -0.4, -0.4));
+    plb_list_free(&list);
+}
+
+static void paints_of_all_kinds(void)
+{
+    display_list list;
+    CHECK(read_script(HEAD "n 0 0 10 10 rectangle\n"
+                      "0 0 9 9 linear\n 0 1 0 0 1 add-color-stop\n 1 0 0 1 0.5 add-color-stop\n [1 0 0 1 3 3] set-matrix //EXTEND_PAD set-extend set-source fill+\n"
+                      "dup 5 5 //COLOR_ALPHA similar dup /s4 exch def context n 0 0 m 1 1 l stroke+ pop s4 pattern //EXTEND_REPEAT set-extend set-source fill+\n"
+                      "<< /width 2 /height 2 /format //ARGB32 /source <~zzzz~> >> image pattern set-source paint fill+\n"
+                      "0.2 0.4 0.6 0.8 rgba set-source 0 0 1 0 0 5 radial 0 0 0 0 1 add-color-stop mask\n"
+                      "//CLEAR set-operator fill+ //OVER set-operator 0.5 g set-source fill+ pop", &list));
+    CHECK(list.items.n == 4);
+    const item *it = list.items.v;
+    CHECK(it[0].paint.kind == PAINT_GRADIENT && is_near(it[0].paint.red, 0.5) && is_near(it[0].paint.alpha, 0.75));
+    CHECK(it[1].paint.kind == PAINT_PATTERN);
+    CHECK(is_near(it[2].paint.blue, 0.6) && is_near(it[2].paint.alpha, 0.8) && is_point(&it[2].path, 2, 100, 50));
+    CHECK(is_near(it[3].paint.green, 0.5));
+    CHECK(list.images == 2 && list.masks == 1);
+    plb_list_free(&list);
+}
+
+static void stack_operators(void)
+{
+    display_list list;
+    CHECK(read_script(HEAD "dup 5 5 //COLOR similar dup /s2 exch def context exch n 0 0 m 5 5 l stroke+\n"
+                      "1 index /target get exch pop pop 2 -1 roll n 0 0 m 6 6 l stroke+ pop /source get pop pop", &list));
+    CHECK(list.items.n == 1 && is_point(&list.items.v[0].path, 1, 0.5, 0.5));
+    plb_list_free(&list);
+}
+
+/* However the text is cut up, the list is the same. */
+static void pieces_of_any_size(void)
+{
+    static const char text[] = HEAD "n 123.456 7 m 8 9 10 11 12.125 -13 c h\n0 0.5 1 rgb set-source\nstroke+ [1 2] 0 set-dash stroke+\npop\n";
+    display_list whole, cut;
+    error err;
+    CHECK(read_in_pieces(text, sizeof text, &whole, &err));
+    for (size_t piece = 1; piece < 40; piece++) {
+        CHECK(read_in_pieces(text, piece, &cut, &err));
+        CHECK(cut.items.n == 2 && plb_path_equal(&cut.items.v[1].path, &whole.items.v[1].path));
+        plb_list_free(&cut);
+    }
+    plb_list_free(&whole);
+}
+
+static void wrong_scripts_are_refused(void)
+{
+    static const char *const wrong[] = {
+        "", "%", "%%Plumbago-tap 1\n", "%%Plumbago-tap 2 1 1 1 0 0 1 0 0 0 0 0\n", "%%Plumbago-tap 1 0 50 1 0 0 1 0 0 0 0 0\n",
+        "%%Plumbago-tap 1 1 1 1 0 0 1 0 0 0 0\n", "%%Plumbago-tap 1 nan 1 1 0 0 1 0 0 0 0 0\n", "%%Plumbago-tap 1 1e999 1 1 0 0 1 0 0 0 0 0\n",
+        HEAD "frobnicate", HEAD "1 l", HEAD "(a) 2 l", HEAD "pop pop", HEAD "pop n", HEAD "]", HEAD "[ 1 2", HEAD ">>", HEAD "}", HEAD "{ {",
+        HEAD "[1 2 3] set-matrix", HEAD "pop [1 0 0 1 0 0] set-matrix", HEAD "[1 2] set-dash", HEAD "1 set-dash", HEAD "pop [1] 0 set-dash",
+        HEAD "1 set-source", HEAD "pop 1 g set-source", HEAD "5 index", HEAD "-1 index", HEAD "1e99 index", HEAD "5 1 roll", HEAD "1 2 roll",
+        HEAD "1 1 def", HEAD "1 undef", HEAD "/s2", HEAD "s2", HEAD "/s2 1 def s2", HEAD "surface", HEAD "similar", HEAD "dup 1 1 //A similar //B set-extend",
+        HEAD "/target get pattern set-source paint", HEAD "1 mask", HEAD "1 set-operator", HEAD "(a", HEAD "<7", HEAD "1 2 3 4 5 add-color-stop",
+        HEAD "exch", HEAD "record", HEAD "1 image", HEAD "context",
+    };
+    size_t accepted = 0;
+    for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+        display_list list;
+        error err;
+        /* a bracket left open and a name left on the stack are harmless */
+        bool harmless = !strcmp(wrong[i], HEAD "[ 1 2") || !strcmp(wrong[i], HEAD "/s2");
+        if (read_in_pieces(wrong[i], 1000, &list, &err) != harmless) {
+            printf("  wrongly taken: %s\n", wrong[i]);
+            accepted++;
+        }
+        CHECK(harmless || (err.text[0] && !strchr(err.text, '\n')));
+        plb_list_free(&list);
+    }
+    CHECK(accepted == 0);
+}
+
+static void unknown_operators_are_named(void)
+{
+    display_list list;
+    error err;
+    CHECK(!read_in_pieces(HEAD "\nn 1 2 m\nfrobnicate", 9, &list, &err));
+    CHECK(err.kind == ERROR_SYNTAX && strstr(err.text, "frobnicate") && strstr(err.text, "line 6"));
+    plb_list_free(&list);
+}
+
+/* A group painted twice in each group above it: 2^40 items unless a limit stops it. */
+static void doubling_groups_meet_a_limit(void)
+{
+    static char text[1 << 14];
+    int n = snprintf(text, sizeof text, "%s", HEAD "dup 9 9 //COLOR similar dup /s1 exch def context n 0 0 m 9 9 l 5 5 9 9 9 9 c stroke+ pop\n");
+    for (int i = 2; i < 40; i++)
+        n += snprintf(text + n, sizeof text - (size_t)n, "dup 9 9 //COLOR similar dup /s%d exch def context s%d pattern set-source paint paint pop\n", i, i - 1);
+    display_list list;
+    error err;
+    CHECK(!read_in_pieces(text, 1 << 14, &list, &err));
+    CHECK(err.kind == ERROR_LIMIT);
+    plb_list_free(&list);
+}
+
+static void deep_stacks_meet_a_limit(void)
+{
+    enum { DEEP = 300000 };
+    char *text = malloc(sizeof HEAD + 2 * DEEP);
+    strcpy(text, HEAD);
+    size_t n = strlen(text);
+    for (int i = 0; i < DEEP; i++, n += 2)
+        memcpy(text + n, "[ ", 3);
+    display_list list;
+    error err;
+    CHECK(!read_in_pieces(text, 1 << 16, &list, &err));
+    CHECK(err.kind == ERROR_LIMIT);
+    plb_list_free(&list);
+    free(text);
+}
+
+int main(void)
+{
+    RUN(page_and_stroke);
+    RUN(head_turns_back);
+    RUN(path_stays_after_painting);
+    RUN(lines_have_no_area);
+    RUN(clips_narrow_and_are_shared);
+    RUN(groups_are_spliced);
+    RUN(groups_in_groups);
+    RUN(paints_of_all_kinds);
+    RUN(stack_operators);
+    RUN(pieces_of_any_size);
+    RUN(wrong_scripts_are_refused);
+    RUN(unknown_operators_are_named);
+    RUN(doubling_groups_meet_a_limit);
+    RUN(deep_stacks_meet_a_limit);
+    CHECK_EXIT;
+}
