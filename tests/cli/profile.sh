@@ -1,0 +1,187 @@
+# SPDX-License-Identifier: MIT
+# plumbago-profile: the reports, a reader of the format that is not ours, files made to be wrong, the command line, and
+# the eight pencils captured anew.
+. "$ROOT/tests/check.sh"
+# Under AddressSanitizer: the fonts of a plot's labels stay in fontconfig's own cache.
+echo leak:libfontconfig >"$TMP/leaks"
+export LSAN_OPTIONS=suppressions=$TMP/leaks:print_suppressions=0
+
+tool() {
+    "$PLUMBAGO_PROFILE" "$@" >"$TMP/out" 2>"$TMP/err"
+    status=$?
+}
+listing() { find . | sort; }
+
+# does NAME ARGS...: the run succeeds and says nothing on standard error.
+does() {
+    local name=$1
+    shift
+    tool "$@"
+    if [ $status -ne 0 ]; then fail "$name" "exit status $status: $(head -n 1 "$TMP/err")"; elif [ -s "$TMP/err" ]; then fail "$name" "it said: $(head -n 1 "$TMP/err")"; else ok "$name"; fi
+}
+# refused STATUS NAME PATTERN ARGS...: that status, one line on standard error that matches, no file more or less.
+refused() {
+    local wanted=$1 name=$2 pattern=$3 before
+    shift 3
+    before=$(listing)
+    tool "$@"
+    if [ $status -ne "$wanted" ]; then
+        fail "$name" "exit status $status, not $wanted: $(head -n 1 "$TMP/err")"
+    elif [ "$(wc -l <"$TMP/err")" -ne 1 ] || ! grep -q '^plumbago-profile: ' "$TMP/err" || ! grep -qE -- "$pattern" "$TMP/err"; then
+        fail "$name" "the message is: $(tr '\n' '|' <"$TMP/err")"
+    elif [ "$(listing)" != "$before" ]; then
+        fail "$name" "the files changed: $(diff <(echo "$before") <(listing) | tr '\n' ' ')"
+    else
+        ok "$name"
+    fi
+}
+
+# ---- a second reader of the format, after pencil(5) alone: od and awk ----------------------------------------
+# Prints "centre MEDIAN", "pairs N", "cells N", "half PX", "tenth PX", "lines N", "columns N", "name NAME", "bounds A B C D".
+independent() {
+    od -An -v -tu1 "$1" | tr -s ' \n' '\n\n' | awk '
+    NF { b[n++] = $1 }
+    function le(at, size,   v, i) { v = 0; for (i = size - 1; i >= 0; i--) v = v * 256 + b[at + i]; return v }
+    function leb(   v, f) { v = 0; f = 1; while (b[at] >= 128) { v += (b[at++] - 128) * f; f *= 128 } v += b[at++] * f; return v }
+    function die(why) { print "bad", why; bad = 1; exit }
+    END {
+        if (bad) exit
+        split("137 80 78 67 76 13 10 26", magic, " ")
+        for (i = 0; i < 8; i++) if (b[i] != magic[i + 1]) die("magic")
+        if (le(8, 2) != 1 || le(12, 4) != n) die("header")
+        for (at = 16; at < n - 4;) {
+            tag = sprintf("%c%c%c%c", b[at], b[at + 1], b[at + 2], b[at + 3]); size = le(at + 4, 4); at += 8; end = at + size
+            if (tag == "NAME") { name = ""; for (i = at; i < end; i++) name = name sprintf("%c", b[i]); print "name", name }
+            if (tag == "SCAN") { print "half", le(at + 4, 4) / 1000; print "tenth", le(at + 8, 4) / 1000; print "lines", le(at + 12, 4); print "columns", le(at + 16, 8) }
+            if (tag == "BNDS") print "bounds", b[at], b[at + 1], b[at + 2], b[at + 3]
+            if (tag == "HMID") {
+                total = sum = 0; for (i = 0; i < 256; i++) total += le(at + 4 * i, 4)
+                for (i = 0; i < 256; i++) { sum += le(at + 4 * i, 4); if (sum * 2 >= total) break }
+                print "centre", i
+            }
+            if (tag == "COOC") {
+                cells = le(at, 4); at += 4; pairs = cell = 0
+                for (k = 0; k < cells; k++) { cell += leb(); pairs += leb() }
+                if (cell > 65536 || at != end) die("cells")
+                print "cells", cells; print "pairs", pairs
+            }
+            at = end
+        }
+        if (at != n - 4) die("sections")
+    }' | sort
+}
+# The same figures from `show`.
+shown() {
+    "$PLUMBAGO_PROFILE" show "$1" | awk '
+    $1 == "pencil" { print "name", $2 }
+    /^width at half/ { v = $7; sub(/\(/, "", v); print "half", v }
+    /^width at a tenth/ { v = $9; sub(/\(/, "", v); print "tenth", v }
+    /^measured on/ { print "lines", $3; print "columns", $5 }
+    /^bounds/ { sub(/,/, "", $5); print "bounds", $3, $5, $8, $10 }
+    /^centre +[0-9]/ { print "centre", $2 }
+    /^co-occurrence/ { print "pairs", $2; print "cells", $5 }' | sort
+}
+rounded() { awk '$1 == "half" || $1 == "tenth" { printf "%s %.2f\n", $1, int($2 * 100 + 0.5) / 100; next } { print }'; }
+# CRC-32 by gzip, which keeps it in the last eight bytes of what it writes.
+crc() { head -c -4 "$1" | gzip -c | tail -c 8 | head -c 4 | od -An -tx1; }
+
+for grade in 2H H F HB B 3B 6B 8B; do
+    file=$ROOT/profiles/$grade.pencil
+    theirs=$(independent "$file" | rounded) ours=$(shown "$file" | rounded)
+    if [ -n "$theirs" ] && [ "$theirs" = "$ours" ]; then ok "$grade: another reader finds the same figures"; else fail "$grade: another reader finds the same figures" "$(diff <(echo "$theirs") <(echo "$ours") | head -n 4 | tr '\n' ' ')"; fi
+    if [ "$(crc "$file")" = "$(tail -c 4 "$file" | od -An -tx1)" ]; then ok "$grade: gzip has the same checksum"; else fail "$grade: gzip has the same checksum" "$(crc "$file")"; fi
+    if cmp -s <("$PLUMBAGO_PROFILE" show "$grade") <("$PLUMBAGO_PROFILE" show "$file"); then ok "$grade: built in as in its file"; else fail "$grade: built in as in its file"; fi
+done
+
+# ---- reports ---------------------------------------------------------------------------------------------------
+does "show" show HB
+for words in 'pencil +HB' 'resolution +300 dpi' 'width at half depth +0\.[0-9]+ mm' 'centre +1[0-9][0-9] grey' 'correlation +0\.[0-9]+' 'cross-section' 'CC BY 4\.0' 'assigned, not known'; do
+    if grep -qE "$words" "$TMP/out"; then ok "show says $words"; else fail "show says $words" "it does not"; fi
+done
+does "show in lower case" show hb
+does "show draws" show --plot hb.png HB
+if [ "$(head -c 4 hb.png | od -An -tx1 | tr -d ' ')" = 89504e47 ] && [ "$(wc -c <hb.png)" -gt 20000 ]; then ok "the plot is a PNG"; else fail "the plot is a PNG"; fi
+does "a pencil compared with itself" compare HB hb
+if [ "$(grep -cE ' (0|0\.0+)  ' "$TMP/out")" -eq 10 ]; then ok "differs in nothing"; else fail "differs in nothing" "$(grep -vE ' (0|0\.0+)  ' "$TMP/out" | tail -n 1)"; fi
+does "hard and soft compared" compare 2H 8B
+if awk '/^centre / && $4 < -80 { c = 1 } /^width/ && $4 > 0.1 { w = 1 } /ACE/ && $3 > 1.3 && $3 <= 2 { a = 1 } END { exit !(c && w && a) }' "$TMP/out"; then ok "differ in darkness, width, co-occurrence"; else fail "differ in darkness, width, co-occurrence" "$(tr '\n' '|' <"$TMP/out")"; fi
+"$PLUMBAGO_PROFILE" compare 8B 2H | awk '/^co-occ|^line hist|^centre hist|^cross/ { print $(NF > 3 ? 3 : 2) }' >back
+"$PLUMBAGO_PROFILE" compare 2H 8B | awk '/^co-occ|^line hist|^centre hist|^cross/ { print $(NF > 3 ? 3 : 2) }' >forth
+if cmp -s back forth; then ok "distances are the same both ways"; else fail "distances are the same both ways"; fi
+if [ -e /dev/full ]; then
+    "$PLUMBAGO_PROFILE" show HB >/dev/full 2>"$TMP/err"
+    if [ $? -eq 1 ] && [ "$(wc -l <"$TMP/err")" -eq 1 ]; then ok "a full disk is noticed"; else fail "a full disk is noticed" "$(cat "$TMP/err")"; fi
+fi
+
+# ---- files made to be wrong ------------------------------------------------------------------------------------
+good=$ROOT/profiles/HB.pencil
+: >empty.pencil
+head -c 7 "$good" >magic-cut.pencil
+head -c 16 "$good" >header-only.pencil
+head -c 5000 "$good" >cut.pencil
+{ cat "$good"; echo; } >longer.pencil
+sed 's/300/301/; s/HB/HC/' "$good" >text-edited.pencil
+sed 's/\r$//' "$good" >sent-as-text.pencil
+{ head -c 8 "$good"; printf '\002'; tail -c +10 "$good"; } >version-2.pencil
+{ head -c 12 "$good"; printf '\377\377\377\377'; tail -c +17 "$good"; } >size-4g.pencil
+head -c 5000000 /dev/zero >five-megabytes-of-nothing.pencil
+{ head -c 8 "$good"; head -c 5000000 /dev/zero; } >five-megabytes.pencil
+cp "$ROOT/examples/plan.svg" drawing.pencil
+for f in *.pencil; do
+    case $f in version-2*) words='version 2' ;; five*) words='too large' ;; *) words='pencil profile' ;; esac
+    refused 1 "${f%.pencil} is refused" "^plumbago-profile: $f: .*$words" show "$f"
+done
+rm -f ./*.pencil
+refused 1 "a pencil that is not there" 'no-such: neither one of the eight' show no-such
+refused 1 "a folder for a pencil" 'cannot be read' show .
+
+# ---- the command line ------------------------------------------------------------------------------------------
+refused 2 "no command" 'which command'
+refused 2 "unknown command" 'no such command' draw HB
+refused 2 "unknown option" '--nonsense' show HB --nonsense
+refused 2 "show without a pencil" 'one PENCIL' show
+refused 2 "show with two" 'one PENCIL' show HB B
+refused 2 "compare with one" 'two PENCILs' compare HB
+refused 2 "capture without a scan" 'SCAN' capture -o x.pencil
+refused 2 "capture without -o" '-o FILE' capture x.png
+refused 2 "--plot with compare" '--plot' compare HB B --plot x.png
+refused 2 "-o with show" '--plot' show HB -o x
+refused 2 "--centre upside down" '--centre' capture x.png -o y --centre 200-100
+refused 2 "--centre beyond white" '--centre' capture x.png -o y --centre 0-256
+refused 2 "--centre of words" '--centre' capture x.png -o y --centre dark-light
+refused 2 "--width 0" '--width' capture x.png -o y --width 0
+refused 2 "--width in inches" '--width' capture x.png -o y --width 1in
+refused 2 "--dpi nan" '--dpi' capture x.png -o y --dpi nan
+refused 2 "--name too long" '--name' capture x.png -o y --name 12345678901234567890123456789012
+refused 1 "a scan that is not there" 'absent.png' capture absent.png -o x.pencil
+refused 1 "a scan that is no PNG" 'not a readable PNG' capture "$good" -o x.pencil
+refused 1 "a scan without a line" 'no usable line' capture hb.png -o x.pencil --centre 250-255
+refused 1 "a provenance that is not there" 'absent.txt' capture hb.png -o x.pencil --provenance @absent.txt
+refused 1 "a plot into no folder" 'no-folder' show HB --plot no-folder/x.png
+does "--help" --help
+does "--version" --version
+if grep -qE '^plumbago-profile [0-9]+\.[0-9]+' "$TMP/out"; then ok "the version is a number"; else fail "the version is a number"; fi
+
+# ---- capture from the real scans -------------------------------------------------------------------------------
+scans=$SHARED/scans/hdbpmn
+if ! [ -d "$scans" ]; then
+    skip "the eight pencils captured anew" "no scans here"
+    skip "capture of a real line" "no scans here"
+    exit 0
+fi
+mkdir again
+check "capture.sh runs" bash "$ROOT/profiles/capture.sh" "$PLUMBAGO_PROFILE" "$PWD/again"
+for grade in 2H H F HB B 3B 6B 8B; do
+    if cmp -s "again/$grade.pencil" "$ROOT/profiles/$grade.pencil"; then ok "$grade captured anew: the same bytes"; else fail "$grade captured anew: the same bytes"; fi
+done
+# What the measuring script of the evidence found for this line: centre 175, 6.5 px at half depth, 730 columns.
+line=$scans/line_ex03_w0054_h_x0480_y1141.png
+does "capture of a real line" capture "$line" -o one.pencil --name 'one line' --provenance 'a test'
+"$PLUMBAGO_PROFILE" show one.pencil >"$TMP/out"
+if awk '/^centre +[0-9]/ { c = $2 } /^width at half/ { w = $7; sub(/\(/, "", w) } /^measured/ { n = $5 }
+    END { exit !(c >= 176 && c <= 180 && w > 6.3 && w < 6.8 && n > 700 && n <= 740) }' "$TMP/out"; then ok "its figures are those of another program"; else fail "its figures are those of another program" "$(head -n 7 "$TMP/out" | tr '\n' '|')"; fi
+before=$(cksum <one.pencil)
+tool capture "$scans/absent.png" -o one.pencil
+if [ "$before" = "$(cksum <one.pencil)" ] && [ $status -eq 1 ]; then ok "a failed capture leaves the old file"; else fail "a failed capture leaves the old file"; fi
+tool capture -v --centre 170-190 "$line" -o one.pencil
+if [ $status -eq 0 ] && grep -q 'used: centre' "$TMP/err"; then ok "-v says what was found"; else fail "-v says what was found" "$(head -n 1 "$TMP/err")"; fi
