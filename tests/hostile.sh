@@ -8,7 +8,8 @@ secret="BAIT-$$-do-not-read"
 # Files that a drawing might ask for, beside the input.
 bait() {
     rm -rf cage && mkdir cage && cd cage || exit 1
-    for name in secret.txt secret.svg secret.png secret.ps data.dat; do echo "$secret" >$name; done
+    local bait
+    for bait in secret.txt secret.svg secret.png secret.ps data.dat; do echo "$secret" >$bait; done
     cp -r "$1" "$2"
     find . -type f -printf '%P %s %T@\n' | sort >../before
 }

@@ -10,3 +10,5 @@ missing=$(grep -oE '\bplb_[a-z_]+\(' "$ROOT/src/api/plumbago.h" | tr -d '(' | so
 report "every function of plumbago.h is in the library" "$missing"
 macros=$(grep -nE '^[[:space:]]*#[[:space:]]*define' "$ROOT/src/api/plumbago.h" | grep -vE 'define (PLB_|PLUMBAGO_H)')
 report "plumbago.h defines no macro of another name" "$macros"
+twice=$(nm -g --defined-only "$BUILD_DIR/libplumbago.a" 2>/dev/null | awk 'NF == 3 && $2 ~ /[TDBR]/ { print $3 }' | sort | uniq -d)
+report "no name is defined twice" "$twice"
