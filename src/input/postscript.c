@@ -1,0 +1,147 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The PostScript reader: a file's comments say what its page is, its program draws the display list, which is then
+ * turned from device space (up, 7200 dpi, the origin where the program has it) to millimetres on the page.
+ */
+#include "input/ps.h"
+#include "input/ps_dsc.h"
+
+#include "base/units.h"
+
+#include <math.h>
+#include <string.h>
+
+#define MM_PER_POINT (MM_PER_INCH / 72)
+/* The page of a file that names none: A4. */
+#define DEFAULT_WIDTH 595.0
+#define DEFAULT_HEIGHT 842.0
+#define MARGIN_POINTS 5.0 /* around a drawing whose page is its own bounds; chosen by eye */
+
+static void finish(ps *p)
+{
+    while (p->frame_count)
+        plb_ps_pop_frame(p);
+    plb_ps_restore_to(p, 1);
+    if (p->state_count)
+        plb_ps_release_path(p, ps_gs(p)->path);
+    plb_free(p->states);
+    plb_free(p->operands);
+    plb_free(p->frames);
+    plb_free(p->dicts);
+    plb_scan_free(&p->scan);
+    plb_ps_free_memory(p);
+}
+
+static bool start(ps *p, const char *program, size_t length)
+{
+    p->random = 1;
+    p->line = 1;
+    p->operands = plb_new(PS_MAX_OPERANDS, sizeof *p->operands);
+    p->frames = plb_new(PS_MAX_FRAMES, sizeof *p->frames);
+    p->dicts = plb_new(PS_MAX_DICTS, sizeof *p->dicts);
+    if (!p->operands || !p->frames || !p->dicts)
+        return plb_fail_memory(&p->err);
+    plb_scan_init(&p->scan, program, 0);
+    if (!plb_ps_make_system(p) || !plb_ps_init_state(p))
+        return plb_fail_memory(&p->err);
+    p->main_file = plb_ps_new(p, 1, sizeof *p->main_file);
+    if (!p->main_file)
+        return false;
+    *p->main_file = (ps_file){.at = program, .end = program + length, .line = 1};
+    return plb_ps_push_source(p, p->main_file);
+}
+
+/* What the program finds when it asks for the page, before it draws. */
+static void expect_page(ps *p, const ps_dsc *dsc)
+{
+    p->page_width = dsc->has_media ? dsc->media_width : DEFAULT_WIDTH;
+    p->page_height = dsc->has_media ? dsc->media_height : DEFAULT_HEIGHT;
+    if (!dsc->is_eps || !dsc->box_sane)
+        return;
+    p->page_origin = (point){dsc->box.x0, dsc->box.y0};
+    p->seen_width = dsc->box.x1 - dsc->box.x0;
+    p->seen_height = dsc->box.y1 - dsc->box.y0;
+}
+
+/* Bounds of what was drawn, in points, with a margin; false: nothing, or nothing that fits a page. */
+static bool drawn_bounds(ps *p, box *out)
+{
+    const double u = PS_UNITS_PER_POINT;
+    box b = plb_list_bounds(p->list);
+    if (plb_box_is_empty(b))
+        return false;
+    *out = (box){b.x0 / u - MARGIN_POINTS, b.y0 / u - MARGIN_POINTS, b.x1 / u + MARGIN_POINTS, b.y1 / u + MARGIN_POINTS};
+    return out->x1 - out->x0 <= PS_MAX_PAGE_POINTS && out->y1 - out->y0 <= PS_MAX_PAGE_POINTS;
+}
+
+static bool holds_middle_of(box page, box drawn)
+{
+    double x = (drawn.x0 + drawn.x1) / 2, y = (drawn.y0 + drawn.y1) / 2;
+    return x >= page.x0 && x <= page.x1 && y >= page.y0 && y <= page.y1;
+}
+
+/* The page of the drawing, in points. An EPS file's is its BoundingBox; others say it in the program, in a comment,
+ * or not at all. A box that cannot be true gives way to what was drawn. */
+static box choose_page(ps *p, const ps_dsc *dsc)
+{
+    box drawn = BOX_EMPTY, page = {0, 0, p->page_width, p->page_height};
+    bool has_drawn = drawn_bounds(p, &drawn);
+    if (dsc->is_eps && dsc->box_sane)
+        return dsc->box;
+    if (p->page_size_said || dsc->has_media)
+        return page;
+    if (dsc->box_sane)
+        return dsc->box;
+    bool empty = dsc->box.x1 == dsc->box.x0 && dsc->box.y1 == dsc->box.y0; /* 0 0 0 0 stands for "unknown" */
+    if (has_drawn && ((dsc->has_box && !empty) || !holds_middle_of(page, drawn))) {
+        plb_say(&p->in->say, MESSAGE_WARNING, "%s: the BoundingBox is missing or impossible; the page is what was drawn", p->in->name);
+        return drawn;
+    }
+    return page;
+}
+
+static void place_on_page(ps *p, const ps_dsc *dsc)
+{
+    const double mm = MM_PER_POINT / PS_UNITS_PER_POINT;
+    box page = choose_page(p, dsc);
+    plb_list_transform(p->list, (matrix){mm, 0, 0, -mm, -page.x0 * MM_PER_POINT, page.y1 * MM_PER_POINT});
+    p->list->width = (page.x1 - page.x0) * MM_PER_POINT;
+    p->list->height = (page.y1 - page.y0) * MM_PER_POINT;
+}
+
+static void remark(ps *p, const ps_dsc *dsc)
+{
+    const messenger *say = &p->in->say;
+    const ps_file *f = p->main_file;
+    if (p->strings_left_out)
+        plb_say(say, MESSAGE_WARNING, "%s: %lu text strings left out: PostScript fonts are not drawn yet", p->in->name, p->strings_left_out);
+    if (p->page_shown && (dsc->pages > 1 || plb_dsc_has_page(f->at, (size_t)(f->end - f->at))))
+        plb_say(say, MESSAGE_WARNING, "%s: only the first page is drawn", p->in->name);
+}
+
+static bool read_program(ps *p, const char *program, size_t length)
+{
+    ps_dsc dsc;
+    plb_dsc_read(program, length, PS_MAX_PAGE_POINTS, &dsc);
+    expect_page(p, &dsc);
+    if (!start(p, program, length) || !plb_ps_run(p))
+        return false;
+    place_on_page(p, &dsc);
+    remark(p, &dsc);
+    return true;
+}
+
+bool plb_read_postscript(const input_source *in, display_list *list, error *err)
+{
+    const char *program;
+    size_t length;
+    plb_dsc_find_program(in->data, in->size, &program, &length);
+    if (!length)
+        return plb_fail(err, ERROR_SYNTAX, "%s: the file holds no PostScript", in->name);
+    ps p = {.in = in, .list = list};
+    bool good = read_program(&p, program, length);
+    if (!good)
+        plb_fail(err, p.err.kind ? p.err.kind : ERROR_SYNTAX, "%s", p.err.kind ? p.err.text : "the PostScript program failed");
+    finish(&p);
+    return good;
+}
