@@ -11,7 +11,7 @@
 table=$BUILD_DIR/fidelity.tsv
 printf 'file\tclass\trecall\tprecision\tmean\tink of reference\tink of ours\n' >"$table"
 
-# What a display list (from standard input) is made of: lines, areas, covers or wide.
+# What a display list (from standard input) is made of: lines, areas, covers, wide, or nothing.
 class_of() {
     awk '
     $1 == "clip" || $1 == "list" { next }
@@ -19,7 +19,7 @@ class_of() {
     $1 == "fill" && light < .95 { areas++ }
     $1 == "fill" && light >= .95 && a > .5 && lines { covers++ }
     $1 == "stroke" && light < .95 { lines++; if ($9 > 2) wide++ }
-    END { print areas ? "areas" : covers ? "covers" : wide ? "wide" : "lines" }'
+    END { print areas ? "areas" : covers ? "covers" : wide ? "wide" : lines ? "lines" : "nothing" }'
 }
 
 # reference FILE OUT.png
@@ -47,6 +47,7 @@ measure() {
         return
     fi
     class=$("$PLUMBAGO" -q --dump=list "$file" 2>/dev/null | class_of)
+    [ "$class" = nothing ] && ! grep -q '<image' "$file" && class=lines # and that is judged: something is missing
     read -r _ recall _ precision _ mean _ ink_a ink_b < <(tool ink_compare ref.png ours.png 3)
     printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$name" "$class" "$recall" "$precision" "$mean" "$ink_a" "$ink_b" >>"$table"
     [ "$ink_a" -eq 0 ] && [ "$2" = may ] && return # the reference is blank: nothing to judge by

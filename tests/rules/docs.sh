@@ -3,8 +3,9 @@
 . "$ROOT/tests/check.sh"
 cd "$ROOT" || exit 1
 
-# A paragraph of the header that declares something holds a comment, too.
-bare=$(awk 'BEGIN { RS = ""; FS = "\n" } /PLB_API [a-z]/ && !/\/\*/ { for (i = 1; i <= NF; i++) if ($i ~ /PLB_API/) { print $i; break } }' src/api/plumbago.h | grep -v '^#define')
+# A paragraph of the header that declares something has a comment before its first function.
+bare=$(awk 'BEGIN { RS = ""; FS = "\n" }
+    { for (i = 1; i <= NF; i++) { if ($i ~ /\/\*/) break; if ($i ~ /^PLB_API [a-z]/) { print $i; break } } }' src/api/plumbago.h)
 report "every prototype of plumbago.h has its comment" "$bare"
 
 for page in man/plumbago.1 man/plumbago-profile.1 man/plumbago.3 man/pencil.5; do

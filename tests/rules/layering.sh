@@ -77,7 +77,7 @@ esac
 # State: nothing writable at file scope. Constant tables of pointers lie in .data.rel.ro, which the loader seals.
 state=$(objdump -t "$BUILD_DIR/libplumbago.a" 2>/dev/null | awk '
     /:[[:space:]]+file format/ { object = $1; sub(/:$/, "", object) }
-    object != "pencils.o" && $(NF - 2) ~ /^(\.data|\.bss|\.tdata|\.tbss|\*COM\*)/ && $(NF - 2) !~ /^\.data\.rel\.ro/ && $(NF - 1) ~ /[1-9a-f]/ && $NF !~ /^(\.|__gcov|__asan|__ubsan|__odr_asan|__lsan|__tsan|\.L)/ { print object ": " $NF " in " $(NF - 2) }')
+    NF > 3 && object != "pencils.o" && $(NF - 2) ~ /^(\.data|\.bss|\.tdata|\.tbss|\*COM\*)/ && $(NF - 2) !~ /^\.data\.rel\.ro/ && $(NF - 1) ~ /[1-9a-f]/ && $NF !~ /^(\.|__gcov|__asan|__ubsan|__odr_asan|__lsan|__tsan|\.L)/ { print object ": " $NF " in " $(NF - 2) }')
 case $BUILD_DIR in
 *asan* | *ubsan* | *tsan* | *cover*) skip "the library has no writable state" "an instrumented build has its own" ;;
 *) report "the library has no writable state" "$state" ;;
