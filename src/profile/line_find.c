@@ -40,6 +40,7 @@ typedef struct {
     float kernel[BLUR_RADIUS + 1];
     float *row_sums, *column; /* work space: one column each */
     ARRAY(dark_run) runs;
+    ARRAY(const dark_run *) chains; /* the last run of each that is long enough to be taken on behind a gap */
 } finder;
 
 static int clamp(int v, int low, int high)
@@ -156,11 +157,8 @@ static const dark_run *next_piece(const finder *f, const dark_run *end, bool rig
 {
     const dark_run *v = f->runs.v, *best = NULL;
     double slope = slope_outwards(f, end, right), best_gap = MAX_GAP * f->unit;
-    for (size_t i = 0; i < f->runs.n; i++) {
-        const dark_run *last = &v[i], *first = &v[last->first - 1];
-        if (last->after || last->x - first->x < MIN_PIECE * f->unit)
-            continue;
-        const dark_run *near = right ? first : last;
+    for (size_t i = 0; i < f->chains.n; i++) {
+        const dark_run *last = f->chains.v[i], *near = right ? &v[last->first - 1] : last;
         double gap = right ? near->x - end->x : end->x - near->x;
         double miss = fabs(middle(near) - middle(end) - slope * gap);
         if (gap >= 1 && gap < best_gap && miss <= AIM_MISS * f->unit + AIM_SPREAD * gap) {
@@ -216,12 +214,24 @@ static bool collect(const finder *f, const dark_run *best, line_track *t, error 
     return good || plb_fail_memory(err);
 }
 
+static bool list_chains(finder *f)
+{
+    for (size_t i = 0; i < f->runs.n; i++) {
+        const dark_run *r = &f->runs.v[i];
+        if (!r->after && r->x - f->runs.v[r->first - 1].x >= MIN_PIECE * f->unit && !array_push(&f->chains, r))
+            return false;
+    }
+    return true;
+}
+
 static bool find(finder *f, line_track *t, error *err)
 {
     if (!f->row_sums || !f->column)
         return plb_fail_memory(err);
     if (!find_chains(f, err))
         return false;
+    if (!list_chains(f))
+        return plb_fail_memory(err);
     const dark_run *best = NULL;
     for (size_t i = 0; i < f->runs.n; i++)
         if (!best || f->runs.v[i].score > best->score)
@@ -240,6 +250,7 @@ bool plb_line_find(const scan *s, double unit, int paper, line_track *t, error *
     plb_free(f.row_sums);
     plb_free(f.column);
     array_free(&f.runs);
+    array_free(&f.chains);
     return good;
 }
 
