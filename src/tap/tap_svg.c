@@ -54,9 +54,8 @@ static void __attribute__((noreturn, format(printf, 2, 3))) quit(int status, con
     char text[400];
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
-    for (char *p = text; *p; p++)
-        if (*p == '\n' || *p == '\r')
-            *p = ' ';
+    for (char *p = text; *p; p++) /* it may quote the document */
+        *p = *p == '\n' || *p == '\r' ? ' ' : *p < ' ' || *p > '~' ? '?' : *p;
     fprintf(stderr, "%s\n", text);
     _exit(status);
 }
@@ -168,6 +167,28 @@ static void silence(void *context, const char *format, ...)
     (void)format;
 }
 
+/* The next node in document order, not into entities. */
+static xmlNode *following(xmlNode *n)
+{
+    if (n->type == XML_ELEMENT_NODE && n->children)
+        return n->children;
+    while (n && !n->next)
+        n = n->parent;
+    return n ? n->next : NULL;
+}
+
+/* Takes the references to entities out of the document's text: the cause of many a refusal. */
+static void drop_references(xmlDoc *doc)
+{
+    for (xmlNode *n = xmlDocGetRootElement(doc), *next; n; n = next) {
+        next = following(n);
+        if (n->type == XML_ENTITY_REF_NODE) {
+            xmlUnlinkNode(n);
+            xmlFreeNode(n);
+        }
+    }
+}
+
 /* The document as libxml2's recovery parser understands it: cut off where it must be, tags closed, no entity
  * expanded, nothing loaded. Bytes that are not the UTF-8 they claim to be are read as Latin-1. */
 static GByteArray *recover(GByteArray *text)
@@ -181,6 +202,7 @@ static GByteArray *recover(GByteArray *text)
                                 XML_PARSE_RECOVER | XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
     if (!doc || !xmlDocGetRootElement(doc))
         quit(EXIT_MALFORMED, "nothing to recover");
+    drop_references(doc);
     xmlChar *mended = NULL;
     int size = 0;
     xmlDocDumpMemoryEnc(doc, &mended, &size, "UTF-8");
