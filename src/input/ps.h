@@ -164,6 +164,7 @@ typedef struct {
     bool has_current;
     bool is_outline;      /* after strokepath: to fill the path is to stroke it */
     int clip;             /* in the display list */
+    struct ps_kept_clip *kept_clips; /* by clipsave */
     bool nothing_visible; /* clipped by an empty path */
     bool no_output;       /* nulldevice, stringwidth */
     paint paint;
@@ -348,6 +349,7 @@ bool plb_ps_count_list(ps *p, const path *shape);
 
 /* ps_text.c */
 bool plb_ps_make_fonts(ps *p);
+bool plb_ps_make_resources(ps *p); /* ps_resource.c */
 bool plb_ps_define_font(ps *p, ps_object key, ps_object font);
 bool plb_ps_find_font(ps *p, ps_object key, ps_object *font);
 /* What a Type 3 glyph that is being drawn does: says its width, paints with an image. */
@@ -356,6 +358,7 @@ void plb_ps_note_glyph_image(ps *p);
 
 /* ps_system.c: dictionaries, operators and fonts. */
 bool plb_ps_make_system(ps *p);
+bool plb_ps_add_operators(ps *p, ps_dict *d, const ps_operator *table);
 
 /* ps_page.c */
 bool plb_ps_set_page_size(ps *p, double width, double height);

@@ -87,6 +87,19 @@ static bool op_floor(ps *p) { return keep_type(p, floor(top(p))); }
 static bool op_round(ps *p) { return keep_type(p, floor(top(p) + 0.5)); }
 static bool op_truncate(ps *p) { return keep_type(p, trunc(top(p))); }
 
+/* Not of the language, but Ghostscript's programs use them. */
+static bool op_max(ps *p)
+{
+    ps_object *v = ps_args(p, 2);
+    return plb_ps_give(p, 2, ps_value(v[0]) >= ps_value(v[1]) ? v[0] : v[1]);
+}
+
+static bool op_min(ps *p)
+{
+    ps_object *v = ps_args(p, 2);
+    return plb_ps_give(p, 2, ps_value(v[0]) <= ps_value(v[1]) ? v[0] : v[1]);
+}
+
 static bool op_sqrt(ps *p)
 {
     return top(p) < 0 ? plb_ps_raise(p, PS_RANGECHECK) : give_real(p, 1, sqrt(top(p)));
@@ -171,6 +184,10 @@ const ps_operator plb_ps_arithmetic_operators[] = {
     {"floor", "n", op_floor},
     {"round", "n", op_round},
     {"truncate", "n", op_truncate},
+    {"max", "nn", op_max},
+    {"min", "nn", op_min},
+    {".max", "nn", op_max},
+    {".min", "nn", op_min},
     {"sqrt", "n", op_sqrt},
     {"sin", "n", op_sin},
     {"cos", "n", op_cos},

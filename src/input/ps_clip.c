@@ -87,6 +87,35 @@ static bool op_initclip(ps *p)
     return true;
 }
 
+/* The clips that clipsave put aside in this graphics state, the last first. */
+struct ps_kept_clip {
+    struct ps_kept_clip *below;
+    int clip;
+    bool nothing_visible;
+};
+
+static bool op_clipsave(ps *p)
+{
+    ps_state *g = ps_gs(p);
+    struct ps_kept_clip *kept = plb_ps_new(p, 1, sizeof *kept);
+    if (!kept)
+        return false;
+    *kept = (struct ps_kept_clip){g->kept_clips, g->clip, g->nothing_visible};
+    g->kept_clips = kept;
+    return true;
+}
+
+static bool op_cliprestore(ps *p)
+{
+    ps_state *g = ps_gs(p);
+    if (!g->kept_clips)
+        return op_initclip(p);
+    g->clip = g->kept_clips->clip;
+    g->nothing_visible = g->kept_clips->nothing_visible;
+    g->kept_clips = g->kept_clips->below;
+    return true;
+}
+
 /* The one clip there is, or the box of several: their exact common area is nobody's path. */
 static bool op_clippath(ps *p)
 {
@@ -109,6 +138,8 @@ static bool op_clippath(ps *p)
 const ps_operator plb_ps_clip_operators[] = {
     {"clip", "", op_clip},
     {"eoclip", "", op_eoclip},
+    {"clipsave", "", op_clipsave},
+    {"cliprestore", "", op_cliprestore},
     {"initclip", "", op_initclip},
     {"clippath", "", op_clippath},
     {NULL, NULL, NULL},

@@ -154,25 +154,34 @@ static void remember_operands(ps *p, unsigned n)
         g->colour[i] = ps_args(p, n)[i];
 }
 
-static void set_pattern(ps *p)
+/* The pattern on top and, when it has no colours of its own, the colour of `space` below it. */
+static bool set_pattern(ps *p, ps_object space)
 {
-    ps_gs(p)->paint = (paint){PAINT_PATTERN, 0.5, 0.5, 0.5, 1};
+    ps_object pattern = *ps_args(p, 1), *type = NULL;
+    int family = simple_family(p, space);
+    if (pattern.type == PS_DICT)
+        type = plb_ps_get_text(p, pattern.as.dict, "PaintType");
+    bool uncoloured = type && type->type == PS_INTEGER && type->as.integer == 2 && space.type != PS_NULL;
+    unsigned n = uncoloured ? plb_ps_components(p, space) : 0;
+    if (p->operand_count < n + 1)
+        return plb_ps_raise(p, PS_STACKUNDERFLOW);
+    ps_drop(p, 1);
+    set_rgb(p, 0.5, 0.5, 0.5);
+    if (n && family < 0)
+        ps_drop(p, n);
+    else if (n && !simple_colour(p, family))
+        return false;
+    ps_gs(p)->paint.kind = PAINT_PATTERN;
     ps_gs(p)->components = 0;
+    return true;
 }
 
 static bool op_setcolor(ps *p)
 {
     ps_object space = ps_gs(p)->colour_space;
     unsigned n = plb_ps_components(p, space);
-    if (ps_args(p, 1)->type == PS_DICT) {
-        bool underlying = plb_ps_text_is(family_of(space), "Pattern") && element(space, 1).type != PS_NULL;
-        unsigned more = underlying ? plb_ps_components(p, element(space, 1)) : 0;
-        if (p->operand_count < more + 1)
-            return plb_ps_raise(p, PS_STACKUNDERFLOW);
-        ps_drop(p, more + 1);
-        set_pattern(p);
-        return true;
-    }
+    if (ps_args(p, 1)->type == PS_DICT)
+        return set_pattern(p, element(space, 1));
     if (p->operand_count < n)
         return plb_ps_raise(p, PS_STACKUNDERFLOW);
     remember_operands(p, n);
@@ -181,9 +190,8 @@ static bool op_setcolor(ps *p)
 
 static bool op_setpattern(ps *p)
 {
-    ps_drop(p, 1);
-    set_pattern(p);
-    return true;
+    ps_object space = ps_gs(p)->colour_space;
+    return set_pattern(p, plb_ps_text_is(family_of(space), "Pattern") ? element(space, 1) : space);
 }
 
 static bool op_makepattern(ps *p)

@@ -97,11 +97,17 @@ bool plb_ps_find_font(ps *p, ps_object key, ps_object *font)
     return (key.type == PS_NAME || key.type == PS_STRING) ? make_built_in(p, key, font) : plb_ps_raise(p, PS_INVALIDFONT);
 }
 
+/* Programs look into these, which an embedded font has in its encrypted part. */
 bool plb_ps_define_font(ps *p, ps_object key, ps_object font)
 {
     if (font.type != PS_DICT)
         return plb_ps_raise(p, PS_TYPECHECK);
-    return plb_ps_put_text(p, font.as.dict, "FID", (ps_object){.type = PS_FONT_ID}) && plb_ps_put(p, p->fonts, key, font);
+    ps_dict *d = font.as.dict;
+    if (!plb_ps_get_text(p, d, "CharStrings") && !put_new_dict(p, d, "CharStrings"))
+        return false;
+    if (!plb_ps_get_text(p, d, "Private") && !put_new_dict(p, d, "Private"))
+        return false;
+    return plb_ps_put_text(p, d, "FID", (ps_object){.type = PS_FONT_ID}) && plb_ps_put(p, p->fonts, key, font);
 }
 
 static bool op_findfont(ps *p)

@@ -256,6 +256,15 @@ static bool op_currentcolortransfer(ps *p)
     return op_push_procedure(p) && op_push_procedure(p) && op_push_procedure(p) && op_push_procedure(p);
 }
 
+static bool op_currenthalftone(ps *p)
+{
+    const ps_object spot = {.type = PS_ARRAY, .executable = true};
+    ps_dict *d = plb_ps_new_dict(p, 4);
+    return d && plb_ps_put_text(p, d, "HalftoneType", ps_integer(1)) && plb_ps_put_text(p, d, "Frequency", ps_integer(60)) &&
+           plb_ps_put_text(p, d, "Angle", ps_integer(45)) && plb_ps_put_text(p, d, "SpotFunction", spot) &&
+           plb_ps_push(p, ps_of_dict(d));
+}
+
 static bool op_push_dict(ps *p)
 {
     ps_dict *d = plb_ps_new_dict(p, 4);
@@ -303,7 +312,7 @@ const ps_operator plb_ps_state_operators[] = {
     {"currentundercolorremoval", "", op_push_procedure},
     {"currentscreen", "", op_currentscreen},
     {"currentcolorscreen", "", op_currentcolorscreen},
-    {"currenthalftone", "", op_push_dict},
+    {"currenthalftone", "", op_currenthalftone},
     {"currentcolorrendering", "", op_push_dict},
     {"currentsmoothness", "", op_push_number},
     {NULL, NULL, NULL},

@@ -96,7 +96,7 @@ const ps_operator plb_ps_system_operators[] = {
     {NULL, NULL, NULL},
 };
 
-static bool add_operators(ps *p, ps_dict *d, const ps_operator *table)
+bool plb_ps_add_operators(ps *p, ps_dict *d, const ps_operator *table)
 {
     for (; table->name; table++)
         if (!plb_ps_put_text(p, d, table->name, (ps_object){.type = PS_OPERATOR, .executable = true, .as.op = table}))
@@ -115,9 +115,9 @@ static bool add_all_operators(ps *p)
         plb_ps_resource_operators, plb_ps_page_operators, plb_ps_system_operators,
     };
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
-        if (!add_operators(p, p->systemdict, tables[i]))
+        if (!plb_ps_add_operators(p, p->systemdict, tables[i]))
             return false;
-    return add_operators(p, p->statusdict, status_operators);
+    return plb_ps_add_operators(p, p->statusdict, status_operators);
 }
 
 static bool put_string(ps *p, ps_dict *d, const char *key, const char *text)
@@ -170,5 +170,5 @@ static bool make_dicts(ps *p)
 bool plb_ps_make_system(ps *p)
 {
     return make_dicts(p) && add_all_operators(p) && add_values(p) && add_dicts(p) && plb_ps_make_errordict(p) &&
-           plb_ps_make_fonts(p);
+           plb_ps_make_fonts(p) && plb_ps_make_resources(p);
 }
