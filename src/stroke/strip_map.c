@@ -118,6 +118,8 @@ static void map_row(mapper *m, const piece *k, double y, uint16_t *sum)
     narrow(-b0, -k->b1.x * step, &low, &high);
     narrow(h + u0, us, &low, &high);
     narrow(h - u0, -us, &low, &high);
+    if (!(low <= high)) /* and so both fit an int */
+        return;
     double middle = (m->s->rows - 1) / 2.0;
     for (int i = low < 0 ? 0 : (int)ceil(low - 1e-9); i <= high + 1e-9; i++) {
         double a = a0 + i * k->b0.x * step, b = b0 + i * k->b1.x * step, u = u0 + i * us;
