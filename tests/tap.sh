@@ -8,6 +8,7 @@ replay=$BUILD_DIR/tests/tools/tap_replay
 svgs=$SHARED/corpus/svg
 if [ ! -d "$svgs" ]; then skip "tap against librsvg" "no corpus at $svgs"; exit 0; fi
 if ! command -v rsvg-convert >/dev/null; then skip "tap against librsvg" "no rsvg-convert"; exit 0; fi
+if [ ! -x "$replay" ]; then skip "tap against librsvg" "no $replay: is libcairo-script-interpreter there?"; exit 0; fi
 
 suite=$SHARED/corpus/resvg-suite.zip
 unpack() { # ZIP
