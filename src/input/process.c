@@ -45,6 +45,7 @@ typedef struct {
     int last_descriptor;
     const char *program;
     char *const *argv;
+    char path[24], locale[12];
     char *environment[ENVIRONMENT_MAX + 1];
 } child_plan;
 
@@ -60,10 +61,11 @@ static bool is_passed_on(const char *variable)
 
 static void plan_environment(child_plan *plan)
 {
-    static char path[] = "PATH=/usr/bin:/bin", locale[] = "LC_ALL=C";
     int n = 0;
-    plan->environment[n++] = path;
-    plan->environment[n++] = locale;
+    strcpy(plan->path, "PATH=/usr/bin:/bin");
+    strcpy(plan->locale, "LC_ALL=C");
+    plan->environment[n++] = plan->path;
+    plan->environment[n++] = plan->locale;
     for (char **e = environ; e && *e && n < ENVIRONMENT_MAX; e++)
         if (is_passed_on(*e))
             plan->environment[n++] = *e;

@@ -71,7 +71,7 @@ static outcome explain_end(const input_source *in, process *p, error *err)
 
 static outcome run_tap(const input_source *in, const char *program, manner how, display_list *list, error *err)
 {
-    static char name[] = "tap-svg", recover[] = "--recover", no_text[] = "--no-text";
+    char name[] = "tap-svg", recover[] = "--recover", no_text[] = "--no-text";
     char *argv[4] = {name};
     int n = 1;
     if (how.recover)
