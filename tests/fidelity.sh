@@ -22,11 +22,25 @@ class_of() {
     END { print areas ? "areas" : covers ? "covers" : wide ? "wide" : lines ? "lines" : "nothing" }'
 }
 
+# The page of a PostScript file, in points: X0 Y0 WIDTH HEIGHT. Ours says how large it is; where that is the size of the
+# %%BoundingBox, the page is that box, else it starts at the origin.
+page_of() {
+    "$PLUMBAGO" -q --dump=list "$1" 2>/dev/null | awk -v box="$(LC_ALL=C grep -a '^%%BoundingBox: *[-0-9]' "$1" | head -n 1 | tr -d '\r')" '
+    NR == 1 { w = $2 / 25.4 * 72; h = $3 / 25.4 * 72; split(box, b, " ")
+        found = (b[4] - b[2] - w) ^ 2 < 9 && (b[5] - b[3] - h) ^ 2 < 9
+        print found ? b[2] : 0, found ? b[3] : 0, w, h; exit }'
+}
+
 # reference FILE OUT.png
 reference() {
+    local x y w h
     case $1 in
     *.svg) timeout 20 rsvg-convert -d 96 -p 96 "$1" -o "$2" ;;
-    *) timeout 20 gs -q -dSAFER -dBATCH -dNOPAUSE -sDEVICE=pnggray -r96 -dEPSCrop -dGraphicsAlphaBits=4 -dLastPage=1 -sOutputFile="$2" "$1" ;;
+    *)
+        read -r x y w h < <(page_of "$1")
+        timeout 20 gs -q -dSAFER -dBATCH -dNOPAUSE -sDEVICE=pnggray -r96 -dGraphicsAlphaBits=4 -dFirstPage=1 -dLastPage=1 -dFIXEDMEDIA \
+            -dDEVICEWIDTHPOINTS="$w" -dDEVICEHEIGHTPOINTS="$h" -sOutputFile="$2" -c "<< /Install { $x neg $y neg translate } >> setpagedevice" -f "$1"
+        ;;
     esac >/dev/null 2>&1 && [ -s "$2" ]
 }
 
@@ -39,14 +53,15 @@ measure() {
         printf '%s\treference fails\n' "$name" >>"$table"
         return
     fi
-    timeout 20 "$PLUMBAGO" -q --squiggle 0 -d 96 -o ours.png "$file" 2>"$TMP/err"
+    timeout 20 "$PLUMBAGO" --squiggle 0 -d 96 -o ours.png "$file" 2>"$TMP/err"
     code=$?
     if [ $code -ne 0 ]; then
-        printf '%s\twe fail: exit status %s %s\n' "$name" $code "$(head -n 1 "$TMP/err")" >>"$table"
-        fail "$name" "it is not drawn: exit status $code $(head -n 1 "$TMP/err" | cut -c 1-200)"
+        printf '%s\twe fail: exit status %s %s\n' "$name" $code "$(grep -v 'warning: ' "$TMP/err")" >>"$table"
+        fail "$name" "it is not drawn: exit status $code $(grep -v 'warning: ' "$TMP/err" | cut -c 1-200)"
         return
     fi
     class=$("$PLUMBAGO" -q --dump=list "$file" 2>/dev/null | class_of)
+    grep -q 'text.* left out' "$TMP/err" && class=text
     [ "$class" = nothing ] && ! grep -q '<image' "$file" && class=lines # and that is judged: something is missing
     read -r _ recall _ precision _ mean _ ink_a ink_b < <(tool ink_compare ref.png ours.png 3)
     printf '%s\t%s\t%s\t%s\t%s\t%s\t%s\n' "$name" "$class" "$recall" "$precision" "$mean" "$ink_a" "$ink_b" >>"$table"
