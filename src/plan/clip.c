@@ -18,7 +18,6 @@ struct clipper {
     const display_list *list;
     region *page;
     region **regions; /* one per clip of the list, made when first needed */
-    crossings at;
 };
 
 clipper *plb_clipper_new(const display_list *list, error *err)
@@ -50,7 +49,6 @@ void plb_clipper_free(clipper *c)
         plb_region_free(c->regions[i]);
     plb_free(c->regions);
     plb_region_free(c->page);
-    array_free(&c->at);
     plb_free(c);
 }
 
@@ -148,7 +146,7 @@ static bool cut_segment(cutter *k, const region *r, track_point from, track_poin
     return true;
 }
 
-static bool cut_by(const region *r, crossings *at, const track *t, track_sink sink, void *closure, error *err)
+static bool cut_by(const region *r, const track *t, track_sink sink, void *closure, error *err)
 {
     side where = side_of(r, bounds_of(t));
     if (where == ALL_OUTSIDE)
@@ -158,14 +156,16 @@ static bool cut_by(const region *r, crossings *at, const track *t, track_sink si
     if (t->points.n == 1)
         return !plb_region_contains(r, t->points.v[0].at, EDGE_MARGIN_MM) || sink(closure, t);
     cutter k = {.at = t->start, .sink = sink, .closure = closure, .err = err};
+    crossings at = {0}; /* of this clip alone: the sink may cut further */
     bool ok = true, whole = true;
     for (size_t i = 1; ok && i < t->points.n; i++) {
-        ok = cut_segment(&k, r, t->points.v[i - 1], t->points.v[i], at);
+        ok = cut_segment(&k, r, t->points.v[i - 1], t->points.v[i], &at);
         whole = whole && k.piece.points.n == i + 1;
     }
     if (ok && whole) /* untouched: it stays closed if it was */
         k.piece.closed = t->closed;
     ok = ok && flush(&k);
+    array_free(&at);
     array_free(&k.piece.points);
     return ok;
 }
@@ -183,10 +183,10 @@ static bool cut_by_chain(void *closure, const track *t)
 {
     const chain *k = closure;
     if (k->index == NO_CLIP)
-        return cut_by(k->c->page, &k->c->at, t, k->sink, k->closure, k->err);
+        return cut_by(k->c->page, t, k->sink, k->closure, k->err);
     region *r = region_of(k->c, k->index, k->err);
     chain outer = {k->c, k->c->list->clips.v[k->index].parent, k->sink, k->closure, k->err};
-    return r && cut_by(r, &k->c->at, t, cut_by_chain, &outer, k->err);
+    return r && cut_by(r, t, cut_by_chain, &outer, k->err);
 }
 
 bool plb_plan_clip(clipper *c, int index, const track *t, track_sink sink, void *closure, error *err)

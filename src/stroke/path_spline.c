@@ -36,10 +36,17 @@ static double length_of(const point *v, size_t n)
     return sum;
 }
 
-/* Catmull-Rom through b and c at u in [0, 1] (Catmull & Rom 1974; tension 1/2). */
-static double catmull_rom(double a, double b, double c, double d, double u)
+/* Catmull-Rom (Catmull & Rom 1974) from b to c at `along`, knots at the control points' distances along the line. The
+ * papers do not say how the spline is parametrised; with evenly spaced knots it would run past the end and back, since
+ * equation 1 crowds the control points there. */
+static double catmull_rom(const control k[4], double along)
 {
-    return b + 0.5 * u * (c - a + u * (2 * a - 5 * b + 4 * c - d + u * (3 * (b - c) + d - a)));
+    double before = k[1].along - k[0].along, h = k[2].along - k[1].along, after = k[3].along - k[2].along;
+    double slope = (k[2].off - k[1].off) / h, u = (along - k[1].along) / h;
+    double slope1 = ((k[1].off - k[0].off) / before * h + slope * before) / (before + h);
+    double slope2 = (slope * after + (k[3].off - k[2].off) / after * h) / (h + after);
+    double v = 1 - u;
+    return k[1].off * v * v * (1 + 2 * u) + k[2].off * u * u * (3 - 2 * u) + h * u * v * (slope1 * v - slope2 * u);
 }
 
 /* The control points with one more at each end, so that the spline reaches the ends: reflected, or on a closed line
@@ -144,10 +151,8 @@ static bool sample_piece(base_line *b, const control c[4], double length, size_t
     if (!array_reserve(out, n))
         return false;
     for (size_t i = 1; i <= n; i++) {
-        double u = (double)i / (double)n;
-        double along = catmull_rom(c[0].along, c[1].along, c[2].along, c[3].along, u);
-        double off = catmull_rom(c[0].off, c[1].off, c[2].off, c[3].off, u);
-        out->v[out->n++].at = place(b, along, off);
+        double u = (double)i / (double)n, along = c[1].along + u * (c[2].along - c[1].along);
+        out->v[out->n++].at = place(b, along, catmull_rom(c, along));
     }
     return true;
 }

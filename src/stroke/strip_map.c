@@ -40,6 +40,7 @@ typedef struct {
 typedef struct {
     point p0, p1, b0, b1, t;
     double length, s0; /* s0 in strip pixels */
+    double left, right; /* how far it reaches to either side, page pixels */
     int x0, y0, x1, y1; /* page pixels it may touch */
 } piece;
 
@@ -112,18 +113,18 @@ static void map_row(mapper *m, const piece *k, double y, uint16_t *sum)
     double step = 1.0 / m->samples, first = k->x0 + step / 2;
     double dy0 = y - k->p0.y, dy1 = y - k->p1.y;
     double a0 = (first - k->p0.x) * k->b0.x + dy0 * k->b0.y, b0 = (first - k->p1.x) * k->b1.x + dy1 * k->b1.y;
-    double u0 = k->t.x * dy0 - k->t.y * (first - k->p0.x), us = -k->t.y * step, h = m->half_width;
+    double u0 = k->t.x * dy0 - k->t.y * (first - k->p0.x), us = -k->t.y * step;
     double low = -0.5, high = (double)(k->x1 - k->x0) * m->samples - 0.5;
     narrow(a0, k->b0.x * step, &low, &high);
     narrow(-b0, -k->b1.x * step, &low, &high);
-    narrow(h + u0, us, &low, &high);
-    narrow(h - u0, -us, &low, &high);
+    narrow(k->left + u0, us, &low, &high);
+    narrow(k->right - u0, -us, &low, &high);
     if (!(low <= high)) /* and so both fit an int */
         return;
     double middle = (m->s->rows - 1) / 2.0;
     for (int i = low < 0 ? 0 : (int)ceil(low - 1e-9); i <= high + 1e-9; i++) {
         double a = a0 + i * k->b0.x * step, b = b0 + i * k->b1.x * step, u = u0 + i * us;
-        if (a < 0 || b >= 0 || u > h || u < -h)
+        if (a < 0 || b >= 0 || u > k->right || u < -k->left)
             continue;
         double along = k->s0 + k->length * m->strip_px * a / (a - b);
         sum[i / m->samples] = (uint16_t)(sum[i / m->samples] + ((read_strip(m->s, along, u * m->strip_px + middle) + 128) >> 8));
@@ -135,13 +136,26 @@ static int clamp_pixel(double v)
     return v < -1e6 ? -1000000 : v > 1e6 ? 1000000 : (int)v;
 }
 
+/* On the inside of a bend tighter than the line is wide, the pieces would meet again beyond the centre of curvature:
+ * they stop a little short of it. */
+#define SHORT_OF_CENTRE 0.85
+
+static void set_reach(piece *k, double half_width)
+{
+    double turn = point_cross(k->b0, k->b1); /* its sine; positive: to the right, as y goes down */
+    double inside = fabs(turn) > 1e-6 ? SHORT_OF_CENTRE * k->length / fabs(turn) : half_width;
+    k->left = k->right = half_width;
+    if (inside < half_width)
+        *(turn > 0 ? &k->right : &k->left) = inside;
+}
+
 static piece piece_of(const mapper *m, const path_sample *from, const path_sample *to, double px, bool first, bool last)
 {
     piece k = {.p0 = point_scale(from->at, px), .p1 = point_scale(to->at, px), .b0 = from->tangent, .b1 = to->tangent};
     point d = point_sub(k.p1, k.p0);
     k.length = plb_point_length(d);
     k.t = point_scale(d, 1 / k.length);
-    k.s0 = from->along * px * m->strip_px + 1.5; /* the strip's margin is 2 px; sample 0 is the middle of its pixel */
+    k.s0 = from->along * px * m->strip_px + STRIP_MARGIN - 0.5; /* sample 0 is the middle of its pixel */
     double over = 1.5 / m->strip_px; /* beyond the ends lies the strip's margin, into which the blur has run */
     if (first || last) {
         if (first) {
@@ -155,6 +169,7 @@ static piece piece_of(const mapper *m, const path_sample *from, const path_sampl
         }
         k.length += (first + last) * over;
     }
+    set_reach(&k, m->half_width);
     double r = m->half_width + 1;
     k.x0 = clamp_pixel(floor(fmin(k.p0.x, k.p1.x) - r));
     k.y0 = clamp_pixel(floor(fmin(k.p0.y, k.p1.y) - r));
@@ -189,7 +204,7 @@ static bool map_piece(mapper *m, piece k)
     return true;
 }
 
-bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, patch_sink sink, void *closure)
+bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, bool closed, patch_sink sink, void *closure)
 {
     mapper m = {.s = s, .strip_px = strip_dpi / dpi, .sink = sink, .closure = closure};
     double n = ceil(m.strip_px - 0.01);
@@ -198,7 +213,7 @@ bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samp
     m.sum = plb_new((size_t)PATCH_SIDE * PATCH_SIDE, sizeof *m.sum);
     bool ok = m.sum;
     for (size_t i = 0; ok && i + 1 < path->n; i++)
-        ok = map_piece(&m, piece_of(&m, path->v + i, path->v + i + 1, dpi / MM_PER_INCH, i == 0, i + 2 == path->n));
+        ok = map_piece(&m, piece_of(&m, path->v + i, path->v + i + 1, dpi / MM_PER_INCH, i == 0 && !closed, i + 2 == path->n && !closed));
     ok = ok && flush(&m);
     plb_free(m.sum);
     return ok;

@@ -13,12 +13,16 @@ void plb_stroke_scratch_free(stroke_scratch *s)
     plb_strip_free(&s->strip);
 }
 
-bool plb_texture(strip *s, double length_px, const pencil *p, uint64_t seed, uint64_t identity, error *err)
+bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint64_t seed, uint64_t identity, error *err)
 {
     if (!plb_texture_fill(s, length_px, p, seed, identity, err))
         return false;
     plb_texture_ccm(s, p, NULL);
+    if (closed)
+        plb_texture_wrap(s);
     plb_texture_blur(s);
+    if (closed)
+        plb_texture_wrap(s);
     return true;
 }
 
@@ -32,7 +36,7 @@ bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_opti
     if (path->n < 2)
         return true;
     double length_px = path->v[path->n - 1].along / MM_PER_INCH * strip_dpi;
-    if (!plb_texture(&scratch->strip, length_px, o->pencil, o->seed, s->identity, err))
+    if (!plb_texture(&scratch->strip, length_px, s->closed, o->pencil, o->seed, s->identity, err))
         return false;
-    return plb_strip_map(&scratch->strip, strip_dpi, o->dpi, path, sink, closure);
+    return plb_strip_map(&scratch->strip, strip_dpi, o->dpi, path, s->closed, sink, closure);
 }

@@ -57,6 +57,7 @@ size_t plb_path_control_points(const stroke_list *list, const stroke *s, const s
 
 /* The texture in the strip frame: `columns` along the line, `rows` across (odd, the middle row is the centreline),
  * one byte a pixel of the profile's resolution, 255 = paper; row by row. */
+#define STRIP_MARGIN 2 /* pixels of paper around it: one for the blur, one for interpolation */
 typedef struct {
     int columns, rows;
     size_t room;
@@ -70,12 +71,14 @@ bool plb_texture_fill(strip *s, double length_px, const pencil *p, uint64_t seed
 #define CCM_MAX_PASSES 32
 int plb_texture_ccm(strip *s, const pencil *p, long changes[CCM_MAX_PASSES]);
 void plb_texture_blur(strip *s);
-/* All three in order. */
-bool plb_texture(strip *s, double length_px, const pencil *p, uint64_t seed, uint64_t identity, error *err);
+/* Lets a closed line's texture run on across its joint: the margins at the ends take the columns of the other end. */
+void plb_texture_wrap(strip *s);
+/* All three in order; `closed` strokes are wrapped. */
+bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint64_t seed, uint64_t identity, error *err);
 
 /* Lays the strip along the path and hands out the patches it makes on a page of `dpi` (strip_map.c). A pixel of the
  * page belongs to one patch of a stroke only, except where the stroke crosses itself. */
-bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, patch_sink sink, void *closure);
+bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, bool closed, patch_sink sink, void *closure);
 
 /* Room that a thread keeps from stroke to stroke. */
 typedef struct {

@@ -12,8 +12,7 @@
 static long pass(strip *s, const pencil *p)
 {
     static const int dx[8] = {-1, 0, 1, -1, 1, -1, 0, 1}, dy[8] = {-1, -1, -1, 0, 0, 1, 1, 1};
-    int margin = (s->rows - (2 * p->half_rows + 1)) / 2;
-    int x0 = margin, x1 = s->columns - margin, y0 = margin, y1 = s->rows - margin;
+    int x0 = STRIP_MARGIN, x1 = s->columns - STRIP_MARGIN, y0 = STRIP_MARGIN, y1 = s->rows - STRIP_MARGIN;
     long changes = 0;
     for (int y = y0; y < y1; y++)
         for (int x = x0; x < x1; x++) {

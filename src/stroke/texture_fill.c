@@ -16,8 +16,6 @@
 #include <math.h>
 #include <string.h>
 
-/* Paper around the strip: one pixel for the blur, one for interpolation. */
-#define MARGIN 2
 /* 64 MiB of strip is a line of half a kilometre. */
 #define STRIP_MAX ((size_t)64 << 20)
 
@@ -49,6 +47,18 @@ void plb_strip_free(strip *s)
     memset(s, 0, sizeof *s);
 }
 
+void plb_texture_wrap(strip *s)
+{
+    int n = s->columns - 2 * STRIP_MARGIN;
+    for (int y = 0; y < s->rows; y++) {
+        uint8_t *row = s->grey + (size_t)y * (size_t)s->columns;
+        for (int k = 0; k < STRIP_MARGIN; k++) { /* n may be smaller than the margin */
+            row[STRIP_MARGIN - 1 - k] = row[STRIP_MARGIN + n - 1 - k % n];
+            row[STRIP_MARGIN + n + k] = row[STRIP_MARGIN + k % n];
+        }
+    }
+}
+
 static void fill_centre(uint8_t *row, int n, const pencil *p, uint64_t key)
 {
     for (int x = 0; x < n; x++)
@@ -72,12 +82,12 @@ bool plb_texture_fill(strip *s, double length_px, const pencil *p, uint64_t seed
     if (!(length_px <= (double)STRIP_MAX))
         return plb_fail(err, ERROR_LIMIT, "a stroke is too long");
     int n = length_px < 1 ? 1 : (int)floor(length_px + 0.5);
-    int half = p->half_rows, columns = n + 2 * MARGIN, rows = 2 * (half + MARGIN) + 1;
+    int half = p->half_rows, columns = n + 2 * STRIP_MARGIN, rows = 2 * (half + STRIP_MARGIN) + 1;
     if (!resize(s, columns, rows, err))
         return false;
     uint64_t beside = random_key(seed, identity, PURPOSE_BESIDE), outside = random_key(seed, identity, PURPOSE_OUTSIDE);
     for (int k = -half; k <= half; k++) {
-        uint8_t *row = s->grey + (size_t)(k + half + MARGIN) * (size_t)columns + MARGIN;
+        uint8_t *row = s->grey + (size_t)(k + half + STRIP_MARGIN) * (size_t)columns + STRIP_MARGIN;
         if (k == 0)
             fill_centre(row, n, p, random_key(seed, identity, PURPOSE_CENTRE));
         else if (k >= -p->half_beside && k <= p->half_beside)

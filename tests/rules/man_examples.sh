@@ -2,6 +2,7 @@
 # The commands in the EXAMPLES sections of the man pages work: each ".Dl $ COMMAND" is run in a copy of examples/,
 # where an earlier example of the same page has left its files.
 . "$ROOT/tests/check.sh"
+unset -f plumbago # the real one is on the PATH below
 export PATH="$BUILD_DIR:$PATH"
 for page in "$ROOT"/man/*.1; do
     rm -rf work && cp -r "$ROOT/examples" work
