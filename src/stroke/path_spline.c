@@ -65,6 +65,19 @@ static void extend(const control *c, size_t n, bool closed, control out[CONTROLS
     out[n + 1] = (control){2 * c[n - 1].along - c[n - 2].along, 2 * c[n - 1].off - c[n - 2].off};
 }
 
+/* A closed line has no ends: what deviates close to its joint would be a kink there (chosen by eye). */
+#define JOINT_DEVIATION 0.25
+
+static size_t controls_of(double length, const stroke *s, const stroke_options *o, control c[CONTROLS_MAX])
+{
+    size_t n = plb_path_controls(length, s->identity, o, c);
+    if (s->closed) {
+        c[1].off *= JOINT_DEVIATION;
+        c[n - 2].off *= JOINT_DEVIATION;
+    }
+    return n;
+}
+
 /* The direction at a vertex: between its two segments'. */
 static point vertex_tangent(const base_line *b, size_t i)
 {
@@ -165,7 +178,7 @@ bool plb_path_sample(const stroke_list *list, const stroke *s, const stroke_opti
     if (!(length <= LONGEST_MM))
         return plb_fail(err, ERROR_LIMIT, "a stroke is longer than %g m", LONGEST_MM / 1000);
     control c[CONTROLS_MAX], all[CONTROLS_MAX + 2];
-    size_t n = plb_path_controls(length, s->identity, o, c), wanted = count_samples(s, length);
+    size_t n = controls_of(length, s, o, c), wanted = count_samples(s, length);
     extend(c, n, s->closed, all);
     path_sample start = {.at = b.v[0]};
     if (!array_push(out, start))
@@ -181,7 +194,7 @@ size_t plb_path_control_points(const stroke_list *list, const stroke *s, const s
 {
     base_line b = {list->points.v + s->first, s->n, 0, 0, s->closed};
     control c[CONTROLS_MAX];
-    size_t n = plb_path_controls(length_of(b.v, b.n), s->identity, o, c);
+    size_t n = controls_of(length_of(b.v, b.n), s, o, c);
     for (size_t k = 0; k < n; k++)
         out[k] = place(&b, c[k].along, c[k].off);
     return n;

@@ -21,8 +21,8 @@
 /* A patch is handed on when its bounds pass this many pixels (chosen by measurement: a diagonal's patches stay
  * mostly line, a level line's patches long). */
 #define PATCH_AREA 2400
-/* At most this many samples a page pixel in each direction: enough for 300 dpi pencils at 18 dpi. */
-#define MOST_SAMPLES 16
+/* At most this many samples a page pixel in each direction: enough for 300 dpi pencils at 37 dpi. */
+#define MOST_SAMPLES 8
 
 typedef struct {
     const strip *s;
@@ -31,7 +31,8 @@ typedef struct {
     double half_width;    /* page pixels */
     patch p;
     int x1, y1;           /* the patch covers [p.x, x1) × [p.y, y1); empty when x1 <= p.x */
-    uint16_t *sum;        /* of darkness, PATCH_SIDE × PATCH_SIDE */
+    uint8_t *fine;        /* darkness of each sample, `stride` a row; where pieces meet again in a tight bend, the darker */
+    size_t stride;
     patch_sink sink;
     void *closure;
 } mapper;
@@ -56,21 +57,32 @@ static inline int read_strip(const strip *s, double x, double y)
     return 255 * 256 - ((top * (256 - fy) + bottom * fy + 128) >> 8);
 }
 
+/* The mean of a pixel's samples, as grey. */
+static uint8_t resolve(const mapper *m, int x, int y)
+{
+    const uint8_t *from = m->fine + (size_t)(y * m->samples) * m->stride + (size_t)(x * m->samples);
+    if (m->samples == 1)
+        return (uint8_t)(255 - *from);
+    int sum = 0, n = m->samples * m->samples;
+    for (int j = 0; j < m->samples; j++, from += m->stride)
+        for (int i = 0; i < m->samples; i++)
+            sum += from[i];
+    return (uint8_t)(255 - (sum + n / 2) / n);
+}
+
 static bool flush(mapper *m)
 {
     bool ok = true;
-    int w = m->x1 - m->p.x, h = m->y1 - m->p.y, n = m->samples * m->samples;
+    int w = m->x1 - m->p.x, h = m->y1 - m->p.y;
     if (w > 0 && h > 0) {
         m->p.width = w;
         m->p.height = h;
         for (int y = 0; y < h; y++)
-            for (int x = 0; x < w; x++) {
-                int darkness = (m->sum[y * PATCH_SIDE + x] + n / 2) / n; /* sums hold whole greys */
-                m->p.grey[y * w + x] = (uint8_t)(255 - (darkness > 255 ? 255 : darkness));
-            }
+            for (int x = 0; x < w; x++)
+                m->p.grey[y * w + x] = resolve(m, x, y);
         ok = m->sink(m->closure, &m->p);
-        for (int y = 0; y < h; y++)
-            memset(m->sum + y * PATCH_SIDE, 0, (size_t)w * sizeof *m->sum);
+        for (int y = 0; y < h * m->samples; y++)
+            memset(m->fine + (size_t)y * m->stride, 0, (size_t)(w * m->samples));
     }
     m->x1 = m->p.x = 0;
     return ok;
@@ -108,7 +120,7 @@ static void narrow(double c0, double c1, double *low, double *high)
 }
 
 /* One row of samples of one piece, at height y (page pixels). */
-static void map_row(mapper *m, const piece *k, double y, uint16_t *sum)
+static void map_row(mapper *m, const piece *k, double y, uint8_t *to)
 {
     double step = 1.0 / m->samples, first = k->x0 + step / 2;
     double dy0 = y - k->p0.y, dy1 = y - k->p1.y;
@@ -127,7 +139,9 @@ static void map_row(mapper *m, const piece *k, double y, uint16_t *sum)
         if (a < 0 || b >= 0 || u > k->right || u < -k->left)
             continue;
         double along = k->s0 + k->length * m->strip_px * a / (a - b);
-        sum[i / m->samples] = (uint16_t)(sum[i / m->samples] + ((read_strip(m->s, along, u * m->strip_px + middle) + 128) >> 8));
+        int darkness = (read_strip(m->s, along, u * m->strip_px + middle) + 128) >> 8;
+        if (darkness > to[i])
+            to[i] = (uint8_t)darkness;
     }
 }
 
@@ -183,9 +197,10 @@ static bool map_window(mapper *m, piece k)
 {
     if (!make_room(m, &k))
         return false;
-    for (int y = k.y0; y < k.y1; y++)
-        for (int j = 0; j < m->samples; j++)
-            map_row(m, &k, y + (j + 0.5) / m->samples, m->sum + (y - m->p.y) * PATCH_SIDE + (k.x0 - m->p.x));
+    for (int j = 0; j < (k.y1 - k.y0) * m->samples; j++) {
+        size_t row = (size_t)((k.y0 - m->p.y) * m->samples + j), column = (size_t)((k.x0 - m->p.x) * m->samples);
+        map_row(m, &k, k.y0 + (j + 0.5) / m->samples, m->fine + row * m->stride + column);
+    }
     return true;
 }
 
@@ -204,17 +219,30 @@ static bool map_piece(mapper *m, piece k)
     return true;
 }
 
-bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, bool closed, patch_sink sink, void *closure)
+/* Room for the samples of the largest patch, all zero; kept from stroke to stroke. */
+static bool make_fine(map_room *room, size_t side)
+{
+    if (room->size >= side * side)
+        return true;
+    plb_free(room->fine);
+    room->fine = plb_new(side * side, 1);
+    room->size = room->fine ? side * side : 0;
+    return room->fine != NULL;
+}
+
+bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, bool closed, map_room *room, patch_sink sink,
+                   void *closure)
 {
     mapper m = {.s = s, .strip_px = strip_dpi / dpi, .sink = sink, .closure = closure};
     double n = ceil(m.strip_px - 0.01);
     m.samples = n < 1 ? 1 : n > MOST_SAMPLES ? MOST_SAMPLES : (int)n;
     m.half_width = (s->rows - 1) / 2.0 / m.strip_px;
-    m.sum = plb_new((size_t)PATCH_SIDE * PATCH_SIDE, sizeof *m.sum);
-    bool ok = m.sum;
+    m.stride = (size_t)(PATCH_SIDE * m.samples);
+    if (!make_fine(room, m.stride))
+        return false;
+    m.fine = room->fine;
+    bool ok = true;
     for (size_t i = 0; ok && i + 1 < path->n; i++)
         ok = map_piece(&m, piece_of(&m, path->v + i, path->v + i + 1, dpi / MM_PER_INCH, i == 0 && !closed, i + 2 == path->n && !closed));
-    ok = ok && flush(&m);
-    plb_free(m.sum);
-    return ok;
+    return ok && flush(&m);
 }

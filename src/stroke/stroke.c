@@ -11,6 +11,8 @@ void plb_stroke_scratch_free(stroke_scratch *s)
 {
     array_free(&s->path);
     plb_strip_free(&s->strip);
+    plb_free(s->map.fine);
+    s->map = (map_room){0};
 }
 
 bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint64_t seed, uint64_t identity, error *err)
@@ -38,5 +40,5 @@ bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_opti
     double length_px = path->v[path->n - 1].along / MM_PER_INCH * strip_dpi;
     if (!plb_texture(&scratch->strip, length_px, s->closed, o->pencil, o->seed, s->identity, err))
         return false;
-    return plb_strip_map(&scratch->strip, strip_dpi, o->dpi, path, s->closed, sink, closure);
+    return plb_strip_map(&scratch->strip, strip_dpi, o->dpi, path, s->closed, &scratch->map, sink, closure);
 }

@@ -76,14 +76,22 @@ void plb_texture_wrap(strip *s);
 /* All three in order; `closed` strokes are wrapped. */
 bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint64_t seed, uint64_t identity, error *err);
 
+/* Room for mapping, kept from stroke to stroke. */
+typedef struct {
+    uint8_t *fine;
+    size_t size;
+} map_room;
+
 /* Lays the strip along the path and hands out the patches it makes on a page of `dpi` (strip_map.c). A pixel of the
  * page belongs to one patch of a stroke only, except where the stroke crosses itself. */
-bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, bool closed, patch_sink sink, void *closure);
+bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, bool closed, map_room *room,
+                   patch_sink sink, void *closure);
 
 /* Room that a thread keeps from stroke to stroke. */
 typedef struct {
     path_samples path;
     strip strip;
+    map_room map;
 } stroke_scratch;
 void plb_stroke_scratch_free(stroke_scratch *s);
 
