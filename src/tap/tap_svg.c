@@ -333,7 +333,8 @@ static void write_head(const page *p, const GByteArray *text)
 }
 
 /* The turn (unless cairo does it), and what would only make pixels switched off: the drawing behind masks and filters
- * stays. Pattern tiles are drawn upright, out of the turn's reach, and nobody reads them. */
+ * stays. Pattern tiles are drawn upright, out of the turn's reach, where strokes do no harm; nobody reads them, but an
+ * empty tile would take the fill with it. */
 static void set_style(RsvgHandle *svg, const page *p, const placing *l, double magnify, bool by_style, bool no_text)
 {
     char style[700] = "", turn[200] = "";
@@ -341,7 +342,7 @@ static void set_style(RsvgHandle *svg, const page *p, const placing *l, double m
         snprintf(turn, sizeof turn, ":root{transform:translate(%.9gpx,0px) rotate(%.9gdeg) scale(%.12g) translate(%.9gpx,%.9gpx)}",
                  l->turn.x0, TURN_DEGREES, magnify, -p->x, -p->y);
     snprintf(style, sizeof style, "%s*{filter:none!important;mask:none!important}image{display:none!important}"
-             "pattern *{fill:none!important;stroke:none!important}%s", turn, no_text ? "text,tspan{display:none!important}" : "");
+             "pattern *{fill:none!important;stroke:#000!important;clip-path:none!important}%s", turn, no_text ? "text,tspan{display:none!important}" : "");
     GError *error = NULL;
     if (!rsvg_handle_set_stylesheet(svg, (const guint8 *)style, strlen(style), &error))
         quit(EXIT_REFUSED, "%s", error->message);
