@@ -4,6 +4,56 @@
 # patterns) only have to pass without error.
 . "$ROOT/tests/check.sh"
 
+# tap NAME STATUS [ARGS...] <SVG: runs it; leaves `script` and `said`.
+tap() {
+    local name=$1 wanted=$2 status
+    shift 2
+    "$TAP_SVG" "$@" >script 2>said
+    status=$?
+    if [ $status -ne "$wanted" ]; then
+        fail "$name" "exit status $status, not $wanted: $(head -n 1 said)"
+    elif [ $status -ne 0 ] && [ "$(wc -l <said)" -ne 1 ]; then
+        fail "$name" "$(wc -l <said) lines of message"
+    else
+        ok "$name"
+    fi
+}
+# has NAME TEXT: the script of the last run has it.
+has() { if grep -q -- "$2" script; then ok "$1"; else fail "$1" "no \"$2\" in the script"; fi; }
+root='<svg xmlns="http://www.w3.org/2000/svg"'
+corner='<path d="M10 10h40v20h-20v30h-20z"/>'
+
+tap "an L-shape" 0 <<<"$root width='100' height='50'>$corner</svg>"
+has "the head line gives millimetres" '^%%Plumbago-tap 1 26.4583333 13.2291667 '
+tap "an L-shape in a group with opacity" 0 <<<"$root width='100' height='100'><g opacity='.5'>$corner</g></svg>"
+has "the group is a surface of its own" similar
+tap "an L-shape in a turned root" 0 <<<"$root width='100' height='100' transform='rotate(10)'>$corner</svg>"
+tap "a box far to the left" 0 <<<"$root width='100' height='100'><rect x='-1e5' width='2e5' height='9'/></svg>"
+tap "an L-shape in a pattern" 0 <<<"$root width='100' height='100'><pattern id='p' width='.2' height='.2'>$corner</pattern><rect width='90' height='90' fill='url(#p)'/></svg>"
+has "the pattern's fill is there" 'fill+'
+tap "a clip path in box units" 0 <<<"$root width='100' height='100'><clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='.5' height='.5'/></clipPath><circle r='50' clip-path='url(#c)'/></svg>"
+tap "images, masks and filters are counted" 0 <<<"$root width='100' height='100'><image width='9' height='9'/><g mask=\"url(#m)\"/><g style='filter:url(#f)'/><g filter=\"url(#f)\"/></svg>"
+has "one image, one mask, two filters" '^%%Plumbago-tap .* 1 1 2$'
+tap "no size: that of what is drawn" 0 <<<"$root><path d='M30 30h60v96h-60' fill='none' stroke='red' stroke-width='.001'/></svg>"
+has "the extents" '^%%Plumbago-tap 1 15.87[45][0-9]* 25.4'
+gzip -c <<<"$root width='9' height='9'>$corner</svg>" >packed
+tap "packed" 0 <packed
+tap "text can be left out" 0 --no-text <<<"$root width='9' height='9'><text y='9'>No</text></svg>"
+if grep -q ' m' script; then fail "no text" "there is a path"; else ok "no text"; fi
+tap "empty input" 2 </dev/null
+tap "not XML" 2 <<<"hello"
+tap "malformed XML" 2 <<<"$root width='9' height='9'>$corner<g></svg>"
+if grep -q 'on line [0-9]' said; then ok "the message has the line"; else fail "the message has the line" "$(cat said)"; fi
+tap "malformed XML, recovered" 0 --recover <<<"$root width='9' height='9'>$corner<g></svg>"
+has "what could be read is there" 'fill+'
+tap "Latin-1 that claims to be UTF-8, recovered" 0 --recover < <(printf '%s><text>\xa9 \xe9</text>%s</svg>' "$root width='9' height='9'" "$corner")
+has "the rest is there" 'fill+'
+tap "no height" 3 <<<"$root width='9' height='0'>$corner</svg>"
+tap "larger than 100 m" 3 <<<"$root width='101000mm' height='9'>$corner</svg>"
+tap "unknown option" 1 --frobnicate </dev/null
+"$TAP_SVG" <<<"$root width='9' height='9'>$(yes "$corner" | head -n 20000)</svg>" 2>said | head -c 100 >script
+if [ -s said ]; then fail "a reader that goes away" "$(head -n 1 said)"; else ok "a reader that goes away"; fi
+
 replay=$BUILD_DIR/tests/tools/tap_replay
 svgs=$SHARED/corpus/svg
 if [ ! -d "$svgs" ]; then skip "tap against librsvg" "no corpus at $svgs"; exit 0; fi
