@@ -24,7 +24,7 @@ struct controls_picture {
 controls_picture *plb_controls_new(double width, double height, double dpi, error *err)
 {
     controls_picture *c = plb_new(1, sizeof *c);
-    double px = dpi / MM_PER_INCH, w = ceil(width * px), h = ceil(height * px);
+    double px = dpi / MM_PER_INCH, w = floor(width * px + 0.5), h = floor(height * px + 0.5);
     if (!c || !(w <= 32767 && h <= 32767)) {
         plb_free(c);
         plb_fail(err, ERROR_LIMIT, "a picture of %.0f by %.0f pixels is too large", w, h);

@@ -31,8 +31,10 @@ typedef struct {
 static bool parse_number(const char *text, double *value)
 {
     char *end;
+    if (text[strspn(text, "0123456789.eE+-")] != '\0') /* no hexadecimal, no infinity */
+        return false;
     *value = strtod(text, &end); /* this program never leaves the C locale */
-    return end != text && *end == '\0' && *value == *value;
+    return end != text && *end == '\0';
 }
 
 static bool parse_seed(const char *text, uint64_t *seed)
@@ -112,8 +114,20 @@ static bool set_dump(void *p, const char *v)
     return choose(v, (const char *const[]){"list", "strokes", "controls"}, 3, &((settings *)p)->dump);
 }
 static bool set_list_pencils(void *p, const char *v) { return (void)v, ((settings *)p)->list_pencils = true; }
-static bool set_quiet(void *p, const char *v) { return (void)v, ((settings *)p)->quiet = true; }
-static bool set_verbose(void *p, const char *v) { return (void)v, ((settings *)p)->verbose++, true; }
+static bool set_quiet(void *p, const char *v)
+{
+    settings *s = p; /* of -q and -v the last one holds */
+    (void)v;
+    s->verbose = 0;
+    return s->quiet = true;
+}
+static bool set_verbose(void *p, const char *v)
+{
+    settings *s = p;
+    (void)v;
+    s->quiet = false;
+    return s->verbose++, true;
+}
 static bool set_version(void *p, const char *v) { return (void)v, ((settings *)p)->version = true; }
 static bool set_help(void *p, const char *v) { return (void)v, ((settings *)p)->help = true; }
 
@@ -164,13 +178,22 @@ static void clear_progress(settings *s)
     s->progress_shown = false;
 }
 
+/* One line, whatever bytes a file name holds. */
+static void print_line(const char *kind, const char *text)
+{
+    fprintf(stderr, PROGRAM ": %s", kind);
+    for (; *text; text++)
+        fputc((unsigned char)*text < ' ' || *text == 127 ? '?' : *text, stderr);
+    fputc('\n', stderr);
+}
+
 static void on_message(void *closure, int level, const char *text)
 {
     settings *s = closure;
     if (level == 0 ? s->quiet : s->verbose == 0)
         return;
     clear_progress(s);
-    fprintf(stderr, PROGRAM ": %s%s\n", level == 0 ? "warning: " : "", text);
+    print_line(level == 0 ? "warning: " : "", text);
 }
 
 /* On a terminal, from the second second on. */
@@ -188,7 +211,7 @@ static void on_progress(void *closure, double done)
 static int fail(settings *s, const plb_error *e)
 {
     clear_progress(s);
-    fprintf(stderr, PROGRAM ": %s\n", e->text);
+    print_line("", e->text);
     return EXIT_NOT_DRAWN;
 }
 
@@ -259,6 +282,10 @@ static int run(settings *s, const char *input)
     bool is_text = s->dump == PLB_DUMP_LIST || s->dump == PLB_DUMP_STROKES;
     char *made = s->output || is_text || !strcmp(input, "-") ? NULL : name_output(input);
     const char *to = s->output ? s->output : made ? made : "-";
+    if (made && !strcmp(made, input)) {
+        free(made);
+        return wrong("the picture would take the drawing's name: name another with -o");
+    }
     if (!strcmp(to, "-") && !is_text && isatty(STDOUT_FILENO)) {
         free(made);
         return wrong("a picture does not belong on a terminal: name a file with -o");
