@@ -113,6 +113,8 @@ static void remark(ps *p, const ps_dsc *dsc)
 {
     const messenger *say = &p->in->say;
     const ps_file *f = p->main_file;
+    if (!p->page_shown && !p->finished && (p->state_count > 1 || p->dict_count > 3))
+        plb_say(say, MESSAGE_WARNING, "%s: the program ends in the middle of its page; drawn is what it holds", p->in->name);
     if (p->strings_left_out)
         plb_say(say, MESSAGE_WARNING, "%s: %lu text strings left out: PostScript fonts are not drawn yet", p->in->name, p->strings_left_out);
     if (p->page_shown && (dsc->pages > 1 || plb_dsc_has_page(f->at, (size_t)(f->end - f->at))))

@@ -119,6 +119,12 @@ struct ps_file {
     int line;           /* of the byte at `at`; 0: lines are not counted */
     bool is_string;     /* not what `currentfile` means */
     const char *opaque; /* the name of the filter that was not decoded */
+    /* of a filter that was not read from yet: what decodes it, all at once, when it is */
+    bool (*open)(ps *p, ps_file *f);
+    ps_file *source;
+    const char *filter;
+    int32_t count;  /* SubFileDecode: marks to pass over */
+    ps_object mark;
 };
 
 /* ---- errors ----------------------------------------------------------------------------------------------- */
@@ -310,6 +316,9 @@ ps_file *plb_ps_current_file(ps *p);
 /* Reads one whole object (procedures too); TOKEN_END as `*ended`. */
 bool plb_ps_read_object(ps *p, ps_file *f, ps_object *out, bool *ended);
 ps_file *plb_ps_file_of_string(ps *p, ps_object string);
+
+/* ps_filter.c: every reading of a file that a program hands over starts with this. */
+bool plb_ps_open_file(ps *p, ps_file *f);
 
 /* ps_state.c */
 bool plb_ps_save_state(ps *p);

@@ -112,7 +112,7 @@ static bool step_forall_dict(ps *p, ps_frame *f)
 {
     const ps_dict *d = f->subject.as.dict;
     while (f->index < d->used && d->entries[f->index].key.type == PS_NULL)
-        f->index++;
+        f->index++, p->steps++;
     if (f->index >= d->used) {
         plb_ps_pop_frame(p);
         return true;

@@ -240,6 +240,7 @@ ps_object *plb_ps_lookup(ps *p, ps_object key, ps_dict **where)
                 *where = p->dicts[i];
             return &e->value;
         }
+        p->steps += i % 8 == 0;
     }
     return NULL;
 }

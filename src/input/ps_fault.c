@@ -150,7 +150,7 @@ bool plb_ps_make_errordict(ps *p)
 
 bool plb_ps_handle_fault(ps *p)
 {
-    if (p->err.kind != ERROR_NONE)
+    if (p->err.kind != ERROR_NONE || !plb_ps_charge(p, 50))
         return false;
     ps_fault fault = p->fault ? p->fault : PS_UNREGISTERED;
     ps_object name = plb_ps_name(p, plb_ps_fault_names[fault]);

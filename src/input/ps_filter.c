@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript filters (PLRM, section 3.13). The text encodings and run lengths are decoded at once, whole; of the
- * others (LZW, Flate, DCT …), which carry images, only the end is looked for, so that reading can go on behind it.
+ * PostScript filters (PLRM, section 3.13). A filter is decoded when it is first read from, whole: the text encodings
+ * and run lengths. Of the others (LZW, Flate, DCT …), which carry images, only the end is looked for, so that reading
+ * can go on behind it.
  */
 #include "input/ps.h"
 
@@ -87,38 +88,24 @@ static bool decode_run_length(ps_file *f, bytes *out)
     return true;
 }
 
-static const struct {
-    const char *name;
-    bool (*decode)(ps_file *f, bytes *out);
-} decoders[] = {
-    {"ASCIIHexDecode", decode_hex},
-    {"ASCII85Decode", decode_ascii85},
-    {"RunLengthDecode", decode_run_length},
-};
-
-static ps_file *new_file(ps *p, const char *at, size_t n)
-{
-    ps_file *f = plb_ps_new(p, 1, sizeof *f);
-    if (f)
-        *f = (ps_file){.at = at, .end = at + n};
-    return f;
-}
-
-static ps_file *decoded_file(ps *p, ps_file *from, size_t which)
+static bool open_decoder(ps *p, ps_file *f, bool (*decode)(ps_file *, bytes *))
 {
     bytes out = {0};
-    const char *start = from->at;
     ps_object copy;
-    ps_file *f = NULL;
-    if (!decoders[which].decode(from, &out))
-        plb_fail_memory(&p->err);
-    else if (plb_ps_charge(p, (size_t)(from->at - start) / 8) && plb_ps_new_string(p, out.v, out.n, &copy))
-        f = new_file(p, copy.as.string, copy.n);
+    const char *start = f->source->at;
+    bool good = decode(f->source, &out) || plb_fail_memory(&p->err);
+    good = good && plb_ps_charge(p, (size_t)(f->source->at - start) / 8) && plb_ps_new_string(p, out.v, out.n, &copy);
     array_free(&out);
-    return f;
+    if (!good)
+        return false;
+    f->at = copy.as.string;
+    f->end = f->at + copy.n;
+    return true;
 }
 
-/* ---- SubFileDecode: up to a string ------------------------------------------------------------------------ */
+static bool open_hex(ps *p, ps_file *f) { return open_decoder(p, f, decode_hex); }
+static bool open_ascii85(ps *p, ps_file *f) { return open_decoder(p, f, decode_ascii85); }
+static bool open_run_length(ps *p, ps_file *f) { return open_decoder(p, f, decode_run_length); }
 
 static const char *find(const char *at, const char *end, const char *mark, size_t n)
 {
@@ -130,57 +117,32 @@ static const char *find(const char *at, const char *end, const char *mark, size_
     return NULL;
 }
 
-/* What lies before the mark after `count` others, as it is; `from` goes on behind it. */
-static ps_file *sub_file(ps *p, ps_file *from, int32_t count, ps_object mark)
+/* SubFileDecode: what lies before the mark that comes after `count` others, as it is; the source goes on behind. */
+static bool open_sub_file(ps *p, ps_file *f)
 {
+    ps_file *from = f->source;
     const char *start = from->at, *end = from->end, *next = end;
-    size_t left = (size_t)(from->end - start);
-    if (!mark.n && count > 0) {
-        next = end = start + ((size_t)count < left ? (size_t)count : left);
-    } else if (mark.n) {
+    size_t left = (size_t)(end - start), count = f->count > 0 ? (size_t)f->count : 0;
+    if (!f->mark.n && count) {
+        next = end = start + (count < left ? count : left);
+    } else if (f->mark.n) {
         const char *at = start;
-        for (int32_t i = 0; (at = find(at, from->end, mark.as.string, mark.n)) != NULL; at += mark.n)
+        for (size_t i = 0; (at = find(at, from->end, f->mark.as.string, f->mark.n)) != NULL; at += f->mark.n)
             if (i++ >= count) {
-                next = at + mark.n;
+                next = at + f->mark.n;
                 end = count ? next : at;
                 break;
             }
     }
-    ps_file *f = new_file(p, start, (size_t)(end - start));
-    if (!f || !plb_ps_charge(p, (size_t)(next - start) / 16))
-        return NULL;
+    f->at = start;
+    f->end = end;
     f->line = from->line;
     while (from->at < next)
         take(from);
-    return f;
+    return plb_ps_charge(p, (size_t)(next - start) / 16);
 }
 
-static bool op_sub_file(ps *p, ps_file *from)
-{
-    ps_object *v = ps_args(p, 3), count = v[0], mark = v[1];
-    bool given = count.type == PS_INTEGER && mark.type == PS_STRING;
-    unsigned drop = given ? 4 : 3;
-    if (!given && v[1].type == PS_DICT) {
-        ps_object *c = plb_ps_get_text(p, v[1].as.dict, "EODCount"), *m = plb_ps_get_text(p, v[1].as.dict, "EODString");
-        given = c && m && c->type == PS_INTEGER && m->type == PS_STRING;
-        if (given) {
-            count = *c;
-            mark = *m;
-        }
-    }
-    if (!given)
-        return plb_ps_raise(p, PS_TYPECHECK);
-    ps_file *f = sub_file(p, from, count.as.integer, mark);
-    return f && plb_ps_give(p, drop, ps_of_file(f));
-}
-
-/* ---- filters that are only passed over -------------------------------------------------------------------- */
-
-static const char *const closed_filters[] = {
-    "LZWDecode", "FlateDecode", "DCTDecode", "CCITTFaxDecode", "ReusableStreamDecode",
-};
-
-/* A JPEG ends at its marker; of the others only the DSC comment behind them tells. */
+/* A JPEG ends at its marker; of other binary data only the DSC comment behind them tells. */
 static bool skip_binary(ps *p, ps_file *f, const char *name)
 {
     static const char *const ends[] = {"%%EndBinary", "%%EndData"};
@@ -198,19 +160,43 @@ static bool skip_binary(ps *p, ps_file *f, const char *name)
     return true;
 }
 
-static bool closed_filter(ps *p, ps_file *from, const char *name, unsigned drop)
+/* Nothing is decoded: a file of no bytes. */
+static bool open_opaque(ps *p, ps_file *f)
 {
+    ps_file *from = f->source;
     bool is_raw = from->line != 0 && !from->opaque;
-    if (is_raw && !skip_binary(p, from, name))
-        return false;
-    ps_file *f = new_file(p, from->at, 0);
-    if (!f)
-        return false;
-    f->opaque = from->opaque ? from->opaque : name;
-    if (!is_raw)
-        from->at = from->end;
-    return plb_ps_give(p, drop, ps_of_file(f));
+    f->opaque = from->opaque ? from->opaque : f->filter;
+    if (is_raw)
+        return skip_binary(p, from, f->filter);
+    from->at = from->end;
+    return true;
 }
+
+/* Innermost first, and not by recursion: filters stand on filters as deep as the file likes. */
+bool plb_ps_open_file(ps *p, ps_file *f)
+{
+    while (f->open) {
+        ps_file *first = f;
+        while (first->source && first->source->open && plb_ps_charge(p, 1))
+            first = first->source;
+        bool (*open)(ps *, ps_file *) = first->source->opaque ? open_opaque : first->open;
+        first->open = NULL;
+        if (p->err.kind != ERROR_NONE || !open(p, first))
+            return false;
+    }
+    return true;
+}
+
+static const struct {
+    const char *name;
+    bool (*open)(ps *p, ps_file *f);
+} filters[] = {
+    {"ASCIIHexDecode", open_hex},   {"ASCII85Decode", open_ascii85}, {"RunLengthDecode", open_run_length},
+    {"SubFileDecode", open_sub_file}, {"LZWDecode", open_opaque},    {"FlateDecode", open_opaque},
+    {"DCTDecode", open_opaque},     {"CCITTFaxDecode", open_opaque}, {"ReusableStreamDecode", open_opaque},
+};
+
+/* ---- the operator ----------------------------------------------------------------------------------------- */
 
 /* The stream a filter stands on; a string is one too. */
 static ps_file *source_of(ps *p, ps_object o)
@@ -226,19 +212,19 @@ static ps_file *source_of(ps *p, ps_object o)
     return NULL;
 }
 
-static bool named_filter(ps *p, ps_object name, ps_file *from, unsigned drop)
+/* SubFileDecode's count and mark, from the operands above its source or from the dictionary there. */
+static bool sub_file_parameters(ps *p, ps_file *f)
 {
-    for (size_t i = 0; i < sizeof decoders / sizeof *decoders; i++)
-        if (plb_ps_text_is(name, decoders[i].name)) {
-            if (from->opaque)
-                return closed_filter(p, from, decoders[i].name, drop);
-            ps_file *f = decoded_file(p, from, i);
-            return f && plb_ps_give(p, drop, ps_of_file(f));
-        }
-    for (size_t i = 0; i < sizeof closed_filters / sizeof *closed_filters; i++)
-        if (plb_ps_text_is(name, closed_filters[i]))
-            return closed_filter(p, from, closed_filters[i], drop);
-    return plb_ps_undefined(p, name);
+    const ps_object *v = ps_args(p, 3), *count = &v[0], *mark = &v[1];
+    if (v[1].type == PS_DICT) {
+        count = plb_ps_get_text(p, v[1].as.dict, "EODCount");
+        mark = plb_ps_get_text(p, v[1].as.dict, "EODString");
+    }
+    if (!count || !mark || count->type != PS_INTEGER || mark->type != PS_STRING)
+        return plb_ps_raise(p, PS_TYPECHECK);
+    f->count = count->as.integer;
+    f->mark = *mark;
+    return true;
 }
 
 /* source [dictionary] [count string] name */
@@ -246,21 +232,22 @@ static bool op_filter(ps *p)
 {
     ps_object name = *ps_args(p, 1);
     bool is_sub_file = plb_ps_text_is(name, "SubFileDecode");
-    if (p->operand_count < 2 || (is_sub_file && p->operand_count < 3))
+    size_t which = 0, known = sizeof filters / sizeof *filters;
+    while (which < known && !plb_ps_text_is(name, filters[which].name))
+        which++;
+    if (which == known)
+        return plb_ps_undefined(p, name);
+    if (p->operand_count < 2)
         return plb_ps_raise(p, PS_STACKUNDERFLOW);
-    unsigned drop = 2;
-    if (is_sub_file)
-        drop = ps_args(p, 2)->type == PS_DICT ? 3 : 4;
-    else if (ps_args(p, 2)->type == PS_DICT)
-        drop = 3;
+    unsigned drop = ps_args(p, 2)->type == PS_DICT ? 3 : is_sub_file ? 4 : 2;
     if (p->operand_count < drop)
         return plb_ps_raise(p, PS_STACKUNDERFLOW);
-    ps_file *from = source_of(p, *ps_args(p, drop));
-    if (!from)
+    ps_file *from = source_of(p, *ps_args(p, drop)), *f = from ? plb_ps_new(p, 1, sizeof *f) : NULL;
+    if (!f)
         return false;
-    if (is_sub_file && from->opaque)
-        return closed_filter(p, from, "SubFileDecode", drop);
-    return is_sub_file ? op_sub_file(p, from) : named_filter(p, name, from, drop);
+    *f = (ps_file){.at = "", .source = from, .open = filters[which].open, .filter = filters[which].name};
+    f->end = f->at;
+    return (!is_sub_file || sub_file_parameters(p, f)) && plb_ps_give(p, drop, ps_of_file(f));
 }
 
 const ps_operator plb_ps_filter_operators[] = {

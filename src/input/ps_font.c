@@ -39,6 +39,7 @@ bool plb_ps_make_fonts(ps *p)
     return p->fonts && p->built_in_fonts && make_encoding(p, &p->standard_encoding) && make_encoding(p, &p->latin1_encoding) &&
            plb_ps_put_text(p, p->systemdict, "FontDirectory", ps_of_dict(p->fonts)) &&
            plb_ps_put_text(p, p->systemdict, "GlobalFontDirectory", ps_of_dict(p->fonts)) &&
+           plb_ps_put_text(p, p->systemdict, "SharedFontDirectory", ps_of_dict(p->fonts)) &&
            plb_ps_put_text(p, p->systemdict, "StandardEncoding", p->standard_encoding) &&
            plb_ps_put_text(p, p->systemdict, "ISOLatin1Encoding", p->latin1_encoding);
 }

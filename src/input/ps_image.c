@@ -43,9 +43,11 @@ static bool consume(ps *p, ps_object sources, double bytes)
 {
     for (uint32_t i = 0; i < sources.n; i++) {
         ps_object source = sources.as.array[i];
-        if (source.type == PS_FILE)
+        if (source.type == PS_FILE) {
+            if (!plb_ps_open_file(p, source.as.file))
+                return false;
             skip_file(source.as.file, bytes / sources.n);
-        else if (source.type != PS_STRING && !ps_is_proc(source))
+        } else if (source.type != PS_STRING && !ps_is_proc(source))
             return plb_ps_raise(p, PS_TYPECHECK);
     }
     if (!sources.n || !ps_is_proc(sources.as.array[0]))

@@ -9,13 +9,13 @@
 static bool op_eq(ps *p)
 {
     ps_object *v = ps_args(p, 2);
-    return plb_ps_give(p, 2, ps_boolean(plb_ps_equal(v[0], v[1])));
+    return plb_ps_charge(p, v[0].type == PS_STRING ? v[0].n / 64 : 0) && plb_ps_give(p, 2, ps_boolean(plb_ps_equal(v[0], v[1])));
 }
 
 static bool op_ne(ps *p)
 {
     ps_object *v = ps_args(p, 2);
-    return plb_ps_give(p, 2, ps_boolean(!plb_ps_equal(v[0], v[1])));
+    return plb_ps_charge(p, v[0].type == PS_STRING ? v[0].n / 64 : 0) && plb_ps_give(p, 2, ps_boolean(!plb_ps_equal(v[0], v[1])));
 }
 
 /* Numbers by value, strings by their bytes; -1, 0 or 1 in `order`. */

@@ -121,6 +121,8 @@ static bool step_source(ps *p, ps_frame *f);
 
 bool plb_ps_push_source(ps *p, ps_file *file)
 {
+    if (!plb_ps_open_file(p, file))
+        return false;
     if (file->opaque)
         return plb_ps_fail(p, ERROR_UNSUPPORTED, "a program encoded by the filter '%s' cannot be read", file->opaque);
     ps_frame *f = plb_ps_push_frame(p, step_source);
@@ -137,6 +139,7 @@ ps_file *plb_ps_current_file(ps *p)
         ps_file *f = p->frames[i].data;
         if (p->frames[i].kind == FRAME_SOURCE && !f->is_string)
             return f;
+        p->steps += i % 8 == 0;
     }
     return p->main_file;
 }
@@ -157,6 +160,7 @@ static bool scan_token(ps *p, ps_file *f, token *t)
     p->scan.end = f->end;
     p->scan.next_line = f->line;
     bool good = plb_scan_next(&p->scan, t, &err);
+    p->steps += (size_t)(p->scan.at - f->at) / 32;
     f->at = p->scan.at;
     if (f->line) {
         f->line = p->scan.next_line;

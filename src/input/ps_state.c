@@ -123,7 +123,7 @@ static bool op_restore(ps *p)
         i--;
     if (i < 2)
         return plb_ps_raise(p, PS_INVALIDRESTORE);
-    if (!plb_ps_charge(p, p->state_count - i) || !plb_ps_roll_back(p, o.as.save))
+    if (!plb_ps_charge(p, p->state_count / 4) || !plb_ps_roll_back(p, o.as.save))
         return false;
     plb_ps_restore_to(p, i - 1);
     p->save_now = innermost_save(p);

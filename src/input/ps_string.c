@@ -56,6 +56,7 @@ static bool op_search(ps *p)
 static bool op_anchorsearch(ps *p)
 {
     ps_object *v = ps_args(p, 2), s = v[0], key = v[1];
+    p->steps += key.n / 64;
     if (key.n > s.n || (key.n && memcmp(s.as.string, key.as.string, key.n)))
         return plb_ps_give(p, 1, ps_boolean(false));
     return plb_ps_give(p, 2, slice(s, key.n, s.n - key.n)) && plb_ps_push(p, slice(s, 0, key.n)) &&

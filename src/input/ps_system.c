@@ -34,9 +34,18 @@ static bool op_push_zero(ps *p) { return plb_ps_push(p, ps_integer(0)); }
 static bool op_drop_two(ps *p) { ps_drop(p, 2); return true; }
 static bool op_drop_three(ps *p) { ps_drop(p, 3); return true; }
 
-static bool op_push_dict(ps *p)
+/* The parameters that programs ask for and set; what they set is not kept. */
+static bool op_parameters(ps *p)
 {
-    ps_dict *d = plb_ps_new_dict(p, 4);
+    static const char *const names[] = {
+        "MaxFontItem", "MinFontCompress", "MaxUPathItem", "MaxFormItem", "MaxPatternItem", "MaxScreenItem", "MaxOpStack",
+        "MaxDictStack", "MaxExecStack", "MaxLocalVM", "VMReclaim", "VMThreshold", "MaxFontCache", "MaxFormCache",
+        "MaxPatternCache", "MaxOutlineCache", "MaxScreenStorage", "MaxUPathCache", "MaxDisplayList", "CurFontCache",
+    };
+    ps_dict *d = plb_ps_new_dict(p, 24);
+    for (size_t i = 0; d && i < sizeof names / sizeof *names; i++)
+        if (!plb_ps_put_text(p, d, names[i], ps_integer(100000)))
+            return false;
     return d && plb_ps_push(p, ps_of_dict(d));
 }
 
@@ -86,8 +95,8 @@ const ps_operator plb_ps_system_operators[] = {
     {"setucacheparams", "x", op_drop_one},
     {"setuserparams", "d", op_drop_one},
     {"setsystemparams", "d", op_drop_one},
-    {"currentuserparams", "", op_push_dict},
-    {"currentsystemparams", "", op_push_dict},
+    {"currentuserparams", "", op_parameters},
+    {"currentsystemparams", "", op_parameters},
     {"setobjectformat", "i", op_drop_one},
     {"currentobjectformat", "", op_push_zero},
     {"internaldict", "i", op_internaldict},

@@ -44,7 +44,7 @@ static bool is_monospaced(ps *p, const ps_dict *font)
     if (!name || (name->type != PS_NAME && name->type != PS_STRING))
         return false;
     const char *text = plb_ps_text(*name, &n);
-    for (size_t i = 0; i + 4 <= n; i++)
+    for (size_t i = 0; i + 4 <= n && i < 200; i++)
         if (!memcmp(text + i, "Cour", 4) || !memcmp(text + i, "Mono", 4))
             return true;
     return false;

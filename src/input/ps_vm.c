@@ -137,6 +137,7 @@ const ps_name *plb_ps_intern(ps *p, const char *text, size_t n)
     if (p->name_count * 2 >= p->names.room && !grow_names(p))
         return NULL;
     uint32_t hash = hash_text(text, n);
+    p->steps += n / 32;
     const ps_name **slot = find_slot(p, text, n, hash);
     if (*slot)
         return *slot;
