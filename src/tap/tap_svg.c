@@ -36,6 +36,10 @@ enum { EXIT_DONE, EXIT_USAGE, EXIT_MALFORMED, EXIT_REFUSED, EXIT_WRITE, EXIT_LIM
 #define MAX_BYTES ((size_t)256 << 20) /* of the document, unpacked */
 #define LIBXML_TEXT ((size_t)10000000) /* libxml2 refuses longer attributes unless told otherwise */
 #define PAGE_UNITS 4096.0             /* of the longer side: a step of cairo's 24.8 numbers is 1 um on an A0 sheet */
+#define PAGE_UNITS_MOST 32768.0       /* fonts fail beyond */
+/* The script surface forgets what is below 1e-5 in a pen's matrix. KiCad's drawings are 3e8 user units wide: there the
+ * page gets more units, so that the turn's sine (0.33) of a user unit stays above. */
+#define UNITS_PER_USER_UNIT 6.5e-5
 #define TURN_DEGREES 19.3717          /* no drawing is likely to hold this angle */
 #define MM_PER_PX (25.4 / 96)         /* CSS Values 3, section 6.2 */
 #define PX_MAX (100e3 / MM_PER_PX)    /* 100 m */
@@ -44,6 +48,7 @@ enum { EXIT_DONE, EXIT_USAGE, EXIT_MALFORMED, EXIT_REFUSED, EXIT_WRITE, EXIT_LIM
 typedef struct {
     double width, height; /* px */
     double x, y;          /* px: the page's corner, when the size is that of the drawn parts */
+    double units;         /* of the script surface, on the longer side */
     bool by_extents;
 } page;
 
@@ -266,6 +271,8 @@ static bool size_by_attributes(RsvgHandle *svg, page *p)
     bool fixed_w = has_w && w.unit != RSVG_UNIT_PERCENT, fixed_h = has_h && h.unit != RSVG_UNIT_PERCENT;
     if (!has_box && !(fixed_w && fixed_h))
         return false;
+    if (has_box)
+        p->units = fmin(fmax(p->units, UNITS_PER_USER_UNIT * fmax(box.width, box.height)), PAGE_UNITS_MOST);
     p->width = px_of_length(w, has_box ? box.width : 0);
     p->height = px_of_length(h, has_box ? box.height : 0);
     if (fixed_w && !fixed_h && box.width > 0)
@@ -290,7 +297,7 @@ static void size_by_extents(RsvgHandle *svg, page *p)
 
 static page find_page(RsvgHandle *svg)
 {
-    page p = {0};
+    page p = {.units = PAGE_UNITS};
     if (!size_by_attributes(svg, &p))
         size_by_extents(svg, &p);
     if (!(p.width > 0 && p.height > 0))
@@ -311,7 +318,7 @@ typedef struct {
 
 static placing place(const page *p)
 {
-    double scale = PAGE_UNITS / fmax(p->width, p->height), w = p->width * scale, h = p->height * scale;
+    double scale = p->units / fmax(p->width, p->height), w = p->width * scale, h = p->height * scale;
     double a = TURN_DEGREES * G_PI / 180, c = cos(a), s = sin(a);
     return (placing){.turn = {c, s, -s, c, h * s, 0}, .scale = scale, .width = w * c + h * s, .height = w * s + h * c};
 }
