@@ -51,11 +51,21 @@ static void band_range(const region *r, edge e, size_t *low, size_t *high)
     *high = band_of(r, fmax(e.a.y, e.b.y));
 }
 
+/* About four edges a band were they short, but so few bands that tall edges are listed about eight times only. */
+static size_t count_bands(const region *r)
+{
+    double heights = 0, whole = r->bounds.y1 - r->bounds.y0, n = (double)r->edges.n;
+    for (size_t i = 0; i < r->edges.n; i++)
+        heights += fabs(r->edges.v[i].a.y - r->edges.v[i].b.y);
+    double bands = n / 4;
+    if (heights > 0 && bands > 8 * n * whole / heights)
+        bands = 8 * n * whole / heights;
+    return bands > 4096 ? 4096 : (size_t)bands + 1;
+}
+
 static bool sort_into_bands(region *r)
 {
-    r->bands = r->edges.n / 4 + 1; /* about four edges a band, were they short */
-    if (r->bands > 4096)
-        r->bands = 4096;
+    r->bands = count_bands(r);
     r->band_height = (r->bounds.y1 - r->bounds.y0) / (double)r->bands;
     if (!(r->band_height > 0))
         r->band_height = 1;
@@ -192,7 +202,8 @@ bool plb_region_cross(const region *r, point from, point to, crossings *at)
             if (det == 0)
                 continue;
             double t = point_cross(w, s) / det, u = point_cross(w, d) / det;
-            if (t > 0 && t < 1 && u >= 0 && u <= 1 && !array_push(at, t))
+            bool meets = t > 0 && t < 1 && u >= 0 && u <= 1 && band_of(r, from.y + t * d.y) == k; /* once, not in every band */
+            if (meets && !array_push(at, t))
                 return false;
         }
     return true;

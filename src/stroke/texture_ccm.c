@@ -5,9 +5,12 @@
  *
  * For each pixel of the line and each of the other eight in its 3 × 3 neighbourhood: when the pair of greys does not
  * exist in the matrix, the neighbour takes a grey that exists beside the pixel's; of those, the nearest to its own.
- * The pass is repeated until the number of changes no longer falls.
+ * The pass is repeated until the number of changes no longer falls (by a tenth at least: it never comes to rest, and
+ * the thesis' timings, section 5.1, leave room for very few passes: 0.8 ms against 6.9 ms for the fill).
  */
 #include "stroke/pencil.h"
+
+#define STILL_FALLING 0.9
 
 static long pass(strip *s, const pencil *p)
 {
@@ -37,7 +40,7 @@ int plb_texture_ccm(strip *s, const pencil *p, long changes[CCM_MAX_PASSES])
         long now = pass(s, p);
         if (changes)
             changes[k] = now;
-        if (now == 0 || (last >= 0 && now >= last))
+        if (now == 0 || (last >= 0 && (double)now > STILL_FALLING * (double)last))
             return k + 1;
         last = now;
     }
