@@ -37,6 +37,17 @@ static const char *shown_name(const char *file)
     return strcmp(file, "-") ? file : "standard input";
 }
 
+/* Nothing is left out silently. */
+static void report_losses(const plb_drawing *d, const char *name, const messenger *say)
+{
+    if (d->list.images)
+        plb_say(say, MESSAGE_WARNING, "%s: %lu raster image%s left out", name, d->list.images, d->list.images == 1 ? "" : "s");
+    if (d->list.masks)
+        plb_say(say, MESSAGE_WARNING, "%s: %lu mask%s ignored", name, d->list.masks, d->list.masks == 1 ? "" : "s");
+    if (d->strokes.strokes.n == 0)
+        plb_say(say, MESSAGE_WARNING, "%s: nothing in it leaves a mark: the page is empty", name);
+}
+
 static bool load(plb_drawing *d, const char *file, const plb_options *o, const messenger *say, error *err)
 {
     char *data = NULL;
@@ -49,8 +60,10 @@ static bool load(plb_drawing *d, const char *file, const plb_options *o, const m
     error late = {ERROR_NONE, ""};
     if (!ok)
         return false;
-    if (fit(&d->list, o, &late) && plb_plan(&d->list, say, &d->strokes, &late))
+    if (fit(&d->list, o, &late) && plb_plan(&d->list, say, &d->strokes, &late)) {
+        report_losses(d, shown_name(file), say);
         return true;
+    }
     return plb_fail(err, late.kind, "%s: %s", shown_name(file), late.text);
 }
 
