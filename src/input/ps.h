@@ -174,6 +174,7 @@ typedef struct {
     bool nothing_visible; /* clipped by an empty path */
     bool no_output;       /* nulldevice, stringwidth */
     paint paint;
+    ps_object pattern; /* the one to fill with, or null */
     ps_object colour_space, colour[4]; /* colour: what `currentcolor` gives */
     unsigned components;
     double line_width, miter_limit, flatness, dash_offset;
@@ -356,6 +357,9 @@ box plb_ps_clip_bounds(ps *p);
 /* Counts what the display list grows by; false: limit reached. */
 bool plb_ps_count_list(ps *p, const path *shape);
 
+/* ps_pattern.c: begins to fill the current path with the tiles of the pattern; `done` false: it cannot be so filled. */
+bool plb_ps_fill_with_tiles(ps *p, bool even_odd, bool *done);
+
 /* ps_text.c */
 bool plb_ps_make_fonts(ps *p);
 bool plb_ps_make_resources(ps *p); /* ps_resource.c */
@@ -380,7 +384,7 @@ extern const ps_operator plb_ps_stack_operators[], plb_ps_arithmetic_operators[]
     plb_ps_control_operators[], plb_ps_array_operators[], plb_ps_dict_operators[], plb_ps_string_operators[],
     plb_ps_type_operators[], plb_ps_file_operators[], plb_ps_filter_operators[], plb_ps_matrix_operators[],
     plb_ps_state_operators[], plb_ps_colour_operators[], plb_ps_path_operators[], plb_ps_whole_path_operators[],
-    plb_ps_paint_operators[], plb_ps_clip_operators[], plb_ps_font_operators[], plb_ps_text_operators[], plb_ps_image_operators[], plb_ps_resource_operators[],
+    plb_ps_paint_operators[], plb_ps_clip_operators[], plb_ps_pattern_operators[], plb_ps_font_operators[], plb_ps_text_operators[], plb_ps_image_operators[], plb_ps_resource_operators[],
     plb_ps_page_operators[], plb_ps_system_operators[];
 
 #endif

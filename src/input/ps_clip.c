@@ -70,9 +70,8 @@ bool plb_ps_clip_to_path(ps *p, bool even_odd)
         return true;
     if (!plb_ps_count_list(p, shape))
         return false;
-    if (!plb_path_append(&c.path, shape, MATRIX_IDENTITY))
-        return plb_fail_memory(&p->err);
-    bool good = plb_list_add_clip(p->list, &c, &g->clip, &p->err);
+    bool good = plb_path_append(&c.path, shape, MATRIX_IDENTITY) || plb_fail_memory(&p->err);
+    good = good && plb_list_add_clip(p->list, &c, &g->clip, &p->err);
     plb_path_free(&c.path);
     return good;
 }

@@ -2,7 +2,7 @@
  *
  * PostScript colour: everything becomes red, green and blue. Device spaces by the formulas of PLRM, section 7.2;
  * calibrated and ICC spaces count as the device space with as many components; Indexed, Separation and DeviceN are
- * followed to the space they stand on; a pattern is a middle grey.
+ * followed to the space they stand on; a pattern has the colour it is given, else a middle grey.
  */
 #include "input/ps.h"
 
@@ -17,6 +17,7 @@ static double unit(double v)
 static void set_rgb(ps *p, double r, double g, double b)
 {
     ps_gs(p)->paint = (paint){PAINT_SOLID, unit(r), unit(g), unit(b), 1};
+    ps_gs(p)->pattern = ps_null();
 }
 
 static void set_gray(ps *p, const double *v) { set_rgb(p, v[0], v[0], v[0]); }
@@ -172,6 +173,7 @@ static bool set_pattern(ps *p, ps_object space)
     else if (n && !simple_colour(p, family))
         return false;
     ps_gs(p)->paint.kind = PAINT_PATTERN;
+    ps_gs(p)->pattern = pattern;
     ps_gs(p)->components = 0;
     return true;
 }
@@ -192,20 +194,6 @@ static bool op_setpattern(ps *p)
 {
     ps_object space = ps_gs(p)->colour_space;
     return set_pattern(p, plb_ps_text_is(family_of(space), "Pattern") ? element(space, 1) : space);
-}
-
-static bool op_makepattern(ps *p)
-{
-    ps_object *v = ps_args(p, 2);
-    ps_dict *copy = plb_ps_new_dict(p, v[0].as.dict->live + 1);
-    if (!copy)
-        return false;
-    const ps_dict *from = v[0].as.dict;
-    for (uint32_t i = 0; i < from->used; i++)
-        if (from->entries[i].key.type != PS_NULL && !plb_ps_put(p, copy, from->entries[i].key, from->entries[i].value))
-            return false;
-    return plb_ps_put_text(p, copy, "Implementation", ps_null()) && plb_ps_charge(p, from->used) &&
-           plb_ps_give(p, 2, ps_of_dict(copy));
 }
 
 /* The first colour of a space: black, or the full tint. */
@@ -325,7 +313,6 @@ const ps_operator plb_ps_colour_operators[] = {
     {"setcolor", "x", op_setcolor},
     {"setcolorspace", "x", op_setcolorspace},
     {"setpattern", "x", op_setpattern},
-    {"makepattern", "da", op_makepattern},
     {"currentgray", "", op_currentgray},
     {"currentrgbcolor", "", op_currentrgbcolor},
     {"currenthsbcolor", "", op_currenthsbcolor},

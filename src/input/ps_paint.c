@@ -67,7 +67,10 @@ bool plb_ps_paint_path(ps *p, item_kind kind, bool even_odd)
 {
     const ps_state *g = ps_gs(p);
     item it = {.kind = g->is_outline ? ITEM_STROKE : kind, .even_odd = even_odd && !g->is_outline};
-    bool good = g->nothing_visible || g->no_output || add_item(p, &it);
+    bool done = g->nothing_visible || g->no_output;
+    if (!done && it.kind == ITEM_FILL && g->pattern.type == PS_DICT && !plb_ps_fill_with_tiles(p, even_odd, &done))
+        return false;
+    bool good = done || add_item(p, &it);
     plb_item_free(&it);
     return good && plb_ps_new_path(p);
 }

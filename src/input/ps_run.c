@@ -379,5 +379,5 @@ bool plb_ps_run(ps *p)
         if (!f->step(p, f) && !plb_ps_handle_fault(p))
             return false;
     }
-    return true;
+    return p->err.kind == ERROR_NONE;
 }

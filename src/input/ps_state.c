@@ -31,6 +31,7 @@ void plb_ps_reset_graphics(ps *p)
     g->clip = NO_CLIP;
     g->nothing_visible = false;
     g->paint = (paint){PAINT_SOLID, 0, 0, 0, 1};
+    g->pattern = ps_null();
     g->colour_space = plb_ps_name(p, "DeviceGray");
     g->colour[0] = ps_real(0);
     g->components = 1;

@@ -120,7 +120,7 @@ static bool add_all_operators(ps *p)
         plb_ps_array_operators, plb_ps_dict_operators, plb_ps_string_operators, plb_ps_type_operators,
         plb_ps_file_operators, plb_ps_filter_operators, plb_ps_matrix_operators, plb_ps_state_operators,
         plb_ps_colour_operators, plb_ps_path_operators, plb_ps_whole_path_operators, plb_ps_paint_operators,
-        plb_ps_clip_operators, plb_ps_font_operators, plb_ps_text_operators, plb_ps_image_operators,
+        plb_ps_clip_operators, plb_ps_pattern_operators, plb_ps_font_operators, plb_ps_text_operators, plb_ps_image_operators,
         plb_ps_resource_operators, plb_ps_page_operators, plb_ps_system_operators,
     };
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)

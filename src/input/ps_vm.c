@@ -134,13 +134,18 @@ static bool grow_names(ps *p)
 
 const ps_name *plb_ps_intern(ps *p, const char *text, size_t n)
 {
-    if (p->name_count * 2 >= p->names.room && !grow_names(p))
-        return NULL;
     uint32_t hash = hash_text(text, n);
     p->steps += n / 32;
+    if (!p->names.room && !grow_names(p))
+        return NULL;
     const ps_name **slot = find_slot(p, text, n, hash);
     if (*slot)
         return *slot;
+    if (p->name_count * 2 >= p->names.room) {
+        if (!grow_names(p))
+            return NULL;
+        slot = find_slot(p, text, n, hash);
+    }
     ps_name *name = plb_ps_new(p, 1, sizeof *name + n + 1);
     if (!name)
         return NULL;
@@ -159,8 +164,12 @@ ps_object plb_ps_name(ps *p, const char *text)
 
 const char *plb_ps_text(ps_object o, size_t *n)
 {
-    *n = o.type == PS_NAME ? o.as.name->length : o.n;
-    return o.type == PS_NAME ? o.as.name->text : o.as.string;
+    if (o.type != PS_NAME) {
+        *n = o.n;
+        return o.as.string;
+    }
+    *n = o.as.name ? o.as.name->length : 0; /* there is none after an allocation failed */
+    return o.as.name ? o.as.name->text : "";
 }
 
 bool plb_ps_text_is(ps_object o, const char *text)
