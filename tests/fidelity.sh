@@ -53,7 +53,7 @@ measure() {
         printf '%s\treference fails\n' "$name" >>"$table"
         return
     fi
-    timeout 20 "$PLUMBAGO" --squiggle 0 -d 96 -o ours.png "$file" 2>"$TMP/err"
+    timeout 120 "$PLUMBAGO" --squiggle 0 -d 96 -o ours.png "$file" 2>"$TMP/err"
     code=$?
     if [ $code -ne 0 ]; then
         printf '%s\twe fail: exit status %s %s\n' "$name" $code "$(grep -v 'warning: ' "$TMP/err")" >>"$table"
