@@ -1,0 +1,259 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * From display list to strokes: flattening, corners, dashes, clips, what leaves a mark, identities.
+ */
+#include "check.h"
+
+#include "plan/plan.h"
+#include "plan/region.h"
+#include "plan/track.h"
+
+typedef struct {
+    display_list list;
+    stroke_list strokes;
+} setup;
+
+static setup page(double width, double height)
+{
+    setup s;
+    memset(&s, 0, sizeof s);
+    plb_list_init(&s.list);
+    s.list.width = width;
+    s.list.height = height;
+    return s;
+}
+
+static item *add(setup *s, item_kind kind, const double *xy, int n)
+{
+    item it = {.kind = kind, .paint = {PAINT_SOLID, 0, 0, 0, 1}, .clip = NO_CLIP, .width = 0.3};
+    for (int i = 0; i < n; i++) {
+        point p = {xy[2 * i], xy[2 * i + 1]};
+        CHECK(i ? plb_path_line(&it.path, p) : plb_path_move(&it.path, p));
+    }
+    CHECK(plb_list_add(&s->list, &it, NULL));
+    return &s->list.items.v[s->list.items.n - 1];
+}
+
+static int add_clip(setup *s, const double *xy, int n, int parent)
+{
+    clip c = {.parent = parent};
+    int index = -2;
+    for (int i = 0; i < n; i++) {
+        point p = {xy[2 * i], xy[2 * i + 1]};
+        CHECK(i ? plb_path_line(&c.path, p) : plb_path_move(&c.path, p));
+    }
+    CHECK(plb_list_add_clip(&s->list, &c, &index, NULL));
+    return index;
+}
+
+static size_t plan(setup *s)
+{
+    CHECK(plb_plan(&s->list, NULL, &s->strokes, NULL));
+    return s->strokes.strokes.n;
+}
+
+static double length_of(const setup *s, size_t i)
+{
+    const stroke *k = &s->strokes.strokes.v[i];
+    double sum = 0;
+    for (size_t j = 1; j < k->n; j++)
+        sum += plb_point_distance(s->strokes.points.v[k->first + j - 1], s->strokes.points.v[k->first + j]);
+    return sum;
+}
+
+static void clean(setup *s)
+{
+    plb_list_free(&s->list);
+    plb_stroke_list_free(&s->strokes);
+}
+
+static void corners_end_strokes(void)
+{
+    setup s = page(100, 100);
+    add(&s, ITEM_STROKE, (const double[]){10, 10, 50, 10, 50, 50}, 3);            /* a right angle: 2 */
+    add(&s, ITEM_STROKE, (const double[]){10, 60, 50, 60, 90, 80}, 3);            /* 26.6 degrees: 1 */
+    add(&s, ITEM_STROKE, (const double[]){10, 90, 50, 90, 90, 60}, 3);            /* 36.9 degrees: 2 */
+    CHECK(plan(&s) == 5);
+    CHECK(s.strokes.strokes.v[2].n == 3);
+    clean(&s);
+}
+
+static void closed_shapes_start_at_a_corner(void)
+{
+    setup s = page(100, 100);
+    item *it = add(&s, ITEM_STROKE, (const double[]){30, 10, 50, 10, 50, 50, 10, 50, 10, 10}, 5); /* begins mid-side */
+    CHECK(plb_path_close(&it->path));
+    CHECK(plan(&s) == 4);
+    for (size_t i = 0; i < s.strokes.strokes.n; i++)
+        CHECK(fabs(length_of(&s, i) - 40) < 1e-9 && !s.strokes.strokes.v[i].closed);
+    clean(&s);
+}
+
+static void circles_are_one_closed_stroke(void)
+{
+    setup s = page(100, 100);
+    item it = {.kind = ITEM_STROKE, .paint = {PAINT_SOLID, 0, 0, 0, 1}, .clip = NO_CLIP};
+    CHECK(plb_path_arc(&it.path, (point){50, 50}, 20, 0, 2 * PLB_PI, false, MATRIX_IDENTITY) && plb_path_close(&it.path));
+    CHECK(plb_list_add(&s.list, &it, NULL));
+    CHECK(plan(&s) == 1 && s.strokes.strokes.v[0].closed);
+    CHECK_RANGE(length_of(&s, 0), 2 * PLB_PI * 20 * 0.998, 2 * PLB_PI * 20);
+    for (size_t i = 0; i < s.strokes.points.n; i++) { /* the chord's middle, too, is within 0.05 mm */
+        CHECK_RANGE(plb_point_distance(s.strokes.points.v[i], (point){50, 50}), 20 - 0.05, 20 + 0.05);
+        point m = i ? point_mix(s.strokes.points.v[i - 1], s.strokes.points.v[i], .5) : s.strokes.points.v[0];
+        CHECK_RANGE(plb_point_distance(m, (point){50, 50}), 20 - 0.05, 20 + 0.05);
+    }
+    clean(&s);
+}
+
+static void dashes_are_strokes(void)
+{
+    setup s = page(100, 100);
+    item *it = add(&s, ITEM_STROKE, (const double[]){0, 50, 100, 50}, 2);
+    double pattern[2] = {6, 4};
+    CHECK(array_push(&it->dash, pattern[0]) && array_push(&it->dash, pattern[1]));
+    it->dash_offset = 3;
+    CHECK(plan(&s) == 11); /* 3 mm, nine of 6 mm, and 3 mm again at 97 */
+    CHECK(fabs(length_of(&s, 0) - 3) < 1e-9 && fabs(length_of(&s, 5) - 6) < 1e-9 && fabs(length_of(&s, 10) - 3) < 1e-9);
+    clean(&s);
+}
+
+static void mad_dashes_are_bounded(void)
+{
+    static const double patterns[][2] = {{1e-9, 1e-9}, {0, 0}, {0, 1e-12}, {-1, 3}, {1e300, 1e300}, {0, 1}};
+    for (size_t i = 0; i < sizeof patterns / sizeof *patterns; i++) {
+        setup s = page(1000, 1000);
+        item *it = add(&s, ITEM_STROKE, (const double[]){0, 50, 1000, 50}, 2);
+        CHECK(array_push(&it->dash, patterns[i][0]) && array_push(&it->dash, patterns[i][1]));
+        it->dash_offset = 1e30;
+        CHECK(plan(&s) <= 1001);
+        clean(&s);
+    }
+}
+
+/* A U-shaped clip inside a box: a line across both arms leaves two pieces. */
+static void clips_keep_every_piece(void)
+{
+    setup s = page(100, 100);
+    int outer = add_clip(&s, (const double[]){5, 5, 95, 5, 95, 95, 5, 95}, 4, NO_CLIP);
+    int u = add_clip(&s, (const double[]){10, 10, 30, 10, 30, 70, 60, 70, 60, 10, 80, 10, 80, 90, 10, 90}, 8, outer);
+    add(&s, ITEM_STROKE, (const double[]){0, 40, 100, 40}, 2)->clip = u;
+    CHECK(plan(&s) == 2);
+    CHECK(fabs(length_of(&s, 0) - 20) < 1e-9 && fabs(length_of(&s, 1) - 20) < 1e-9);
+    clean(&s);
+}
+
+static void even_odd_clips_have_holes(void)
+{
+    setup s = page(100, 100);
+    clip c = {.even_odd = true, .parent = NO_CLIP};
+    static const double outer[] = {10, 10, 90, 10, 90, 90, 10, 90}, inner[] = {40, 40, 60, 40, 60, 60, 40, 60};
+    for (int k = 0; k < 2; k++)
+        for (int i = 0; i < 4; i++) {
+            const double *xy = (k ? inner : outer) + 2 * i;
+            CHECK(i ? plb_path_line(&c.path, (point){xy[0], xy[1]}) : plb_path_move(&c.path, (point){xy[0], xy[1]}));
+        }
+    int index;
+    CHECK(plb_list_add_clip(&s.list, &c, &index, NULL));
+    add(&s, ITEM_STROKE, (const double[]){0, 50, 100, 50}, 2)->clip = index;
+    CHECK(plan(&s) == 2 && fabs(length_of(&s, 0) - 30) < 1e-9);
+    clean(&s);
+}
+
+static void the_page_clips(void)
+{
+    setup s = page(100, 100);
+    add(&s, ITEM_STROKE, (const double[]){-500, 50, 500, 50}, 2);
+    add(&s, ITEM_STROKE, (const double[]){-500, -50, 500, -50}, 2);
+    add(&s, ITEM_STROKE, (const double[]){0, 0, 100, 0}, 2); /* along the edge: it stays */
+    CHECK(plan(&s) == 2 && fabs(length_of(&s, 0) - 100) < 0.2);
+    clean(&s);
+}
+
+static void white_leaves_no_mark(void)
+{
+    setup s = page(100, 100);
+    const double square[] = {10, 10, 50, 10, 50, 50, 10, 50, 10, 10};
+    add(&s, ITEM_FILL, square, 5)->paint = (paint){PAINT_SOLID, 1, 1, 1, 1};
+    add(&s, ITEM_FILL, square, 5)->paint = (paint){PAINT_SOLID, 0, 0, 0, 0.001};
+    CHECK(plan(&s) == 0);
+    plb_stroke_list_free(&s.strokes);
+    add(&s, ITEM_FILL, square, 5)->paint = (paint){PAINT_SOLID, 1, 1, 0, 1};
+    CHECK(plan(&s) == 4);
+    clean(&s);
+}
+
+static void a_filled_and_stroked_shape_is_outlined_once(void)
+{
+    setup s = page(100, 100);
+    const double square[] = {10, 10, 50, 10, 50, 50, 10, 50, 10, 10};
+    add(&s, ITEM_FILL, square, 5);
+    add(&s, ITEM_STROKE, square, 5);
+    CHECK(plan(&s) == 4);
+    clean(&s);
+}
+
+static void identities_are_distinct_and_stable(void)
+{
+    setup s = page(100, 100), t = page(100, 100);
+    add(&s, ITEM_STROKE, (const double[]){10, 10, 50, 10}, 2);
+    add(&s, ITEM_STROKE, (const double[]){10, 10, 50, 10}, 2); /* the same again */
+    add(&s, ITEM_STROKE, (const double[]){10, 20, 50, 20}, 2);
+    add(&t, ITEM_STROKE, (const double[]){70, 70, 80, 80}, 2); /* something else before */
+    add(&t, ITEM_STROKE, (const double[]){10, 10, 50, 10}, 2);
+    CHECK(plan(&s) == 3 && plan(&t) == 2);
+    const stroke *v = s.strokes.strokes.v;
+    CHECK(v[0].identity != v[1].identity && v[0].identity != v[2].identity && v[1].identity != v[2].identity);
+    CHECK(t.strokes.strokes.v[1].identity == v[0].identity);
+    clean(&s);
+    clean(&t);
+}
+
+/* Random stars: the region's answers against a count of all edges. */
+static void regions_answer_as_a_plain_count_does(void)
+{
+    unsigned seed = 7;
+    for (int round = 0; round < 20; round++) {
+        path p = {0};
+        point v[60];
+        for (int i = 0; i < 60; i++) {
+            seed = seed * 1664525u + 1013904223u;
+            double x = (seed >> 8) % 1000 / 10.0;
+            seed = seed * 1664525u + 1013904223u;
+            v[i] = (point){x, (seed >> 8) % 1000 / 10.0};
+            CHECK(i ? plb_path_line(&p, v[i]) : plb_path_move(&p, v[i]));
+        }
+        region *r = plb_region_new(&p, round & 1, NULL);
+        for (int q = 0; q < 500; q++) {
+            seed = seed * 1664525u + 1013904223u;
+            point at = {(seed >> 8) % 1000 / 10.0 + 0.037, (seed >> 18) % 1000 / 10.0 + 0.041};
+            int winding = 0, crossed = 0;
+            for (int i = 0; i < 60; i++) {
+                point a = v[i], b = v[(i + 1) % 60];
+                if ((a.y <= at.y) != (b.y <= at.y) && a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x) {
+                    crossed++;
+                    winding += a.y < b.y ? 1 : -1;
+                }
+            }
+            CHECK(plb_region_contains(r, at, 0) == (round & 1 ? crossed & 1 : winding != 0));
+        }
+        plb_region_free(r);
+        plb_path_free(&p);
+    }
+}
+
+int main(void)
+{
+    RUN(corners_end_strokes);
+    RUN(closed_shapes_start_at_a_corner);
+    RUN(circles_are_one_closed_stroke);
+    RUN(dashes_are_strokes);
+    RUN(mad_dashes_are_bounded);
+    RUN(clips_keep_every_piece);
+    RUN(even_odd_clips_have_holes);
+    RUN(the_page_clips);
+    RUN(white_leaves_no_mark);
+    RUN(a_filled_and_stroked_shape_is_outlined_once);
+    RUN(identities_are_distinct_and_stable);
+    RUN(regions_answer_as_a_plain_count_does);
+    CHECK_EXIT;
+}
