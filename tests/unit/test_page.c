@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * From strip to page: mapping covers each pixel once, deposits darken and saturate in any order, surfaces agree.
+ */
+#include "check.h"
+
+#include "api/plumbago.h"
+#include "base/random.h"
+#include "stat/pencil_for_tests.h"
+#include "surface/page.h"
+
+typedef struct {
+    int covered[200][200];
+    long darkness;
+} canvas;
+
+static bool count(void *closure, const patch *p)
+{
+    canvas *c = closure;
+    for (int y = 0; y < p->height; y++)
+        for (int x = 0; x < p->width; x++) {
+            int px = p->x + x, py = p->y + y, dark = 255 - p->grey[y * p->width + x];
+            c->darkness += dark;
+            if (dark && px >= 0 && py >= 0 && px < 200 && py < 200)
+                c->covered[py][px]++;
+        }
+    return true;
+}
+
+/* A strip of even darkness along a path: no pixel twice, and as much darkness as the path is long. */
+static void map_even_strip(const point *base, size_t n, bool closed, double dpi, canvas *c, double *length_mm)
+{
+    stroke s = {1, 0, n, closed};
+    stroke_list list = {.strokes = {&s, 1, 1}, .points = {(point *)(uintptr_t)base, n, n}};
+    stroke_options o = {.seed = 1, .squiggle = 0, .dpi = dpi};
+    path_samples path = {0};
+    CHECK(plb_path_sample(&list, &s, &o, &path, NULL));
+    *length_mm = path.v[path.n - 1].along;
+    int columns = (int)(*length_mm / 25.4 * 300 + 0.5) + 2 * STRIP_MARGIN, rows = 9 + 2 * STRIP_MARGIN;
+    strip even = {columns, rows, (size_t)(columns * rows), malloc((size_t)(columns * rows)), NULL};
+    memset(even.grey, 255, even.room);
+    for (int y = STRIP_MARGIN; y < rows - STRIP_MARGIN; y++)
+        memset(even.grey + y * columns + STRIP_MARGIN, 155, (size_t)(columns - 2 * STRIP_MARGIN));
+    if (closed)
+        plb_texture_wrap(&even);
+    map_room room = {0};
+    memset(c, 0, sizeof *c);
+    CHECK(plb_strip_map(&even, 300, dpi, &path, closed, &room, count, c));
+    free(even.grey);
+    plb_free(room.fine);
+    array_free(&path);
+}
+
+static long most_covered(const canvas *c)
+{
+    long most = 0;
+    for (int y = 0; y < 200; y++)
+        for (int x = 0; x < 200; x++)
+            most = c->covered[y][x] > most ? c->covered[y][x] : most;
+    return most;
+}
+
+static void lines_cover_each_pixel_once(void)
+{
+    static canvas c;
+    for (int degrees = 0; degrees < 360; degrees += 7) {
+        double a = degrees * PLB_PI / 180, length;
+        point ends[2] = {{8, 8}, {8 + 6 * cos(a), 8 + 6 * sin(a)}};
+        map_even_strip(ends, 2, false, 300, &c, &length);
+        CHECK(most_covered(&c) == 1);
+        CHECK_RANGE((double)c.darkness / (100.0 * 9 * (length / 25.4 * 300)), 0.98, 1.02);
+    }
+}
+
+static void curves_cover_each_pixel_once(void)
+{
+    static canvas c;
+    point ring[65];
+    double length;
+    for (int i = 0; i <= 64; i++)
+        ring[i] = (point){8 + 4 * cos(i % 64 * PLB_PI / 32), 8 + 4 * sin(i % 64 * PLB_PI / 32)};
+    map_even_strip(ring, 65, true, 300, &c, &length);
+    long twice = 0, all = 0;
+    for (int y = 0; y < 200; y++)
+        for (int x = 0; x < 200; x++) {
+            twice += c.covered[y][x] > 1;
+            all += c.covered[y][x] > 0;
+        }
+    CHECK_RANGE((double)twice / (double)all, 0, 0.01);
+    CHECK_RANGE((double)c.darkness / (100.0 * 9 * (length / 25.4 * 300)), 0.97, 1.03);
+}
+
+/* The same strip at half and at twice the resolution puts down the same darkness on paper. */
+static void resolutions_agree(void)
+{
+    static canvas c;
+    point ends[2] = {{2, 3}, {11, 7.5}};
+    double length, at_300;
+    map_even_strip(ends, 2, false, 300, &c, &length);
+    at_300 = (double)c.darkness;
+    map_even_strip(ends, 2, false, 150, &c, &length);
+    CHECK_RANGE(4 * (double)c.darkness / at_300, 0.97, 1.03);
+    map_even_strip(ends, 2, false, 600, &c, &length);
+    CHECK_RANGE((double)c.darkness / 4 / at_300, 0.97, 1.03);
+}
+
+static void deposits_darken_and_saturate(void)
+{
+    profile *f = profile_for_tests();
+    graphite ink;
+    page p;
+    plb_graphite_init(&ink, f);
+    CHECK(ink.darkest < 90);
+    for (int g = ink.darkest + 1; g < 256; g++)
+        CHECK(ink.grey[ink.deposit[g]] == g); /* a stroke alone looks as its texture says */
+    CHECK(plb_page_init(&p, 8, 8, &ink, NULL));
+    static patch dot = {.x = -1, .y = 6, .width = 3, .height = 3};
+    memset(dot.grey, 170, 9);
+    int before = 255;
+    for (int k = 0; k < 50; k++) {
+        plb_page_lay(&p, &dot);
+        int now = ink.grey[p.deposit[6 * 8]];
+        CHECK(now <= before && (now < before || k > 3));
+        before = now;
+    }
+    CHECK(before == ink.darkest && p.deposit[5 * 8] == 0 && p.deposit[6 * 8 + 2] == 0);
+    plb_page_free(&p);
+    CHECK(!plb_page_init(&p, 1e9, 1e9, &ink, NULL));
+    CHECK(!plb_page_init(&p, (double)NAN, 5, &ink, NULL));
+    free_profile_for_tests(f);
+}
+
+static void order_does_not_matter(void)
+{
+    profile *f = profile_for_tests();
+    graphite ink;
+    page a, b;
+    plb_graphite_init(&ink, f);
+    CHECK(plb_page_init(&a, 60, 60, &ink, NULL) && plb_page_init(&b, 60, 60, &ink, NULL));
+    static patch patches[40];
+    for (int k = 0; k < 40; k++) {
+        patches[k] = (patch){.x = k, .y = 40 - k, .width = 20, .height = 20};
+        for (int i = 0; i < 400; i++)
+            patches[k].grey[i] = (uint8_t)random_bits((uint64_t)k, (uint64_t)i);
+    }
+    for (int k = 0; k < 40; k++) {
+        plb_page_lay(&a, &patches[k]);
+        plb_page_lay(&b, &patches[(k * 7 + 3) % 40]);
+    }
+    CHECK(!memcmp(a.deposit, b.deposit, 60 * 60 * sizeof *a.deposit));
+    plb_page_free(&a);
+    plb_page_free(&b);
+    free_profile_for_tests(f);
+}
+
+/* One line drawn onto a cairo surface: it darkens, never lightens, keeps to its place, and another number is another line. */
+static void a_line_on_a_cairo_surface(void)
+{
+    plb_options o = plb_options_default();
+    plb_error e = {PLB_OK, ""};
+    uint32_t sums[3] = {0};
+    unsigned char first[400 * 60 * 4];
+    for (int k = 0; k < 3; k++) {
+        cairo_surface_t *s = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, 400, 60);
+        cairo_t *cr = cairo_create(s);
+        double paper = k == 2 ? 0.05 : 1; /* the third on a surface darker than any graphite */
+        cairo_set_source_rgb(cr, paper, paper, paper);
+        cairo_paint(cr);
+        cairo_destroy(cr);
+        cairo_surface_flush(s);
+        CHECK(plb_draw_line(s, 20, 30, 380, 30, (uint64_t)k, &o, &e));
+        cairo_surface_flush(s);
+        const unsigned char *data = cairo_image_surface_get_data(s);
+        for (int y = 0; y < 60; y++)
+            for (int x = 0; x < 400; x++) {
+                int grey = data[y * 1600 + 4 * x], paper_grey = data[0];
+                sums[k] += grey < paper_grey;
+                CHECK(grey <= paper_grey);
+                CHECK(grey == paper_grey || (abs(y - 30) < 16 && x > 15 && x < 385));
+            }
+        if (k == 0)
+            memcpy(first, data, sizeof first);
+        if (k == 1)
+            CHECK(memcmp(first, data, sizeof first));
+        cairo_surface_destroy(s);
+    }
+    CHECK(sums[0] > 1000 && sums[1] > 1000 && sums[2] == 0);
+}
+
+static void wrong_calls_are_refused(void)
+{
+    plb_options o = plb_options_default();
+    plb_error e = {PLB_OK, ""};
+    cairo_surface_t *s = cairo_image_surface_create(CAIRO_FORMAT_A8, 10, 10);
+    CHECK(!plb_draw_line(s, 0, 0, (double)NAN, 5, 0, &o, &e) && e.status == PLB_ERROR_ARGUMENT);
+    o.dpi = 0;
+    CHECK(!plb_draw_line(s, 0, 0, 5, 5, 0, &o, &e) && e.status == PLB_ERROR_ARGUMENT);
+    cairo_surface_destroy(s);
+    o = plb_options_default();
+    CHECK(!plb_drawing_load("there/is/no/such.svg", &o, &e) && e.status == PLB_ERROR_FILE && strstr(e.text, "such.svg"));
+    CHECK(!plb_profile_load("5H", &e) && e.status != PLB_OK);
+}
+
+int main(void)
+{
+    RUN(lines_cover_each_pixel_once);
+    RUN(curves_cover_each_pixel_once);
+    RUN(resolutions_agree);
+    RUN(deposits_darken_and_saturate);
+    RUN(order_does_not_matter);
+    RUN(a_line_on_a_cairo_surface);
+    RUN(wrong_calls_are_refused);
+    CHECK_EXIT;
+}
