@@ -23,6 +23,11 @@ for what in list strokes; do
     refuses "--dump=$what of nothing" "nothing\.svg" --dump=$what nothing.svg
     refuses "--dump=$what to a folder that is not there" "no/x" --dump=$what -o no/x a.svg
 done
+plumbago --dump=strokes a.svg && cp "$TMP/out" 300.txt
+for dpi in 72 150 600; do
+    plumbago --dump=strokes -d $dpi a.svg
+    same "$dpi dpi: the same drawing, stroke for stroke" "$TMP/out" 300.txt
+done
 plumbago --dump=strokes a.svg
 # A frame (four lines), a diagonal, a circle, a curve: at least four strokes, at most a dozen.
 lines=$(($(wc -l <"$TMP/out") - 1))

@@ -39,16 +39,24 @@ wait
 rm -f pipe.svg pipe.png
 refuses "a device that is empty" "/dev/null" -o x.png /dev/null
 
-if [ "$(id -u)" -ne 0 ]; then
-    cp a.svg secret.svg && chmod 000 secret.svg
-    refuses "an unreadable file" "secret\.svg" secret.svg
-    chmod 600 secret.svg && rm secret.svg
-    mkdir locked && cp a.svg locked/ && chmod 500 locked
-    refuses "a folder that may not be written" "locked" locked/a.svg
-    chmod 700 locked
+# Root may read and write everything, so for these it runs as nobody.
+nobody=
+if [ "$(id -u)" -eq 0 ]; then
+    chmod 755 "$TMP"
+    nobody="setpriv --reuid=65534 --regid=65534 --clear-groups"
+    $nobody "$PLUMBAGO" --version >/dev/null 2>&1 || nobody=impossible
+fi
+if [ "$nobody" = impossible ]; then
+    skip "files that may not be read or written" "root may do everything, and there is no way to be somebody else"
 else
-    skip "an unreadable file" "root may read everything"
-    skip "a folder that may not be written" "root may write everywhere"
+    mkdir locked && cp a.svg secret.svg && cp a.svg locked/ && chmod 000 secret.svg && chmod 555 locked
+    program=$PLUMBAGO
+    as_nobody() { $nobody "$program" "$@"; }
+    PLUMBAGO=as_nobody
+    refuses "an unreadable file" "secret\.svg: .*[Pp]ermission" secret.svg
+    refuses "a folder that may not be written" "locked/a\.png: .*[Pp]ermission" locked/a.svg
+    PLUMBAGO=$program
+    chmod 755 locked && rm -rf secret.svg locked
 fi
 
 # ---- the output ----
