@@ -86,7 +86,7 @@ LIBS_tap_replay = $(shell pkg-config --libs cairo-script-interpreter 2>/dev/null
 
 # ---- tests ------------------------------------------------------------------------------------------------
 # `make check` runs what takes minutes; TESTS= picks some.
-TESTS = $(c_tests:tests/%.c=$(O)/tests/%) $(wildcard tests/cli/*.sh tests/rules/*.sh tests/image/*.sh tests/stage/*.sh tests/*.sh)
+TESTS = $(c_tests:tests/%.c=$(O)/tests/%) $(wildcard tests/cli/*.sh tests/rules/*.sh tests/image/*.sh tests/stage/*.sh) $(filter-out tests/check.sh,$(wildcard tests/*.sh))
 
 .PHONY: check check-only
 check: packages-check
