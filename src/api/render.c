@@ -130,8 +130,10 @@ bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, do
         stroke_list list = {.strokes = {&one, 1, 1}, .points = {ends, 2, 2}};
         stroke_scratch scratch = {0};
         line_target to = {surface, &t.ink};
+        cairo_surface_flush(surface);
         if (plb_point_distance(ends[0], ends[1]) > 0 && !plb_stroke_draw(&list, &one, &t.stroke, &scratch, lay_on_surface, &to, &err))
             plb_fail(&err, ERROR_ARGUMENT, "cairo cannot draw on this surface");
+        cairo_surface_mark_dirty(surface);
         plb_stroke_scratch_free(&scratch);
         plb_api_tools_free(&t);
     }

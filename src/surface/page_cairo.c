@@ -34,26 +34,42 @@ cairo_surface_t *plb_page_to_cairo(const page *p, page_background background, er
     return s;
 }
 
+/* One premultiplied channel `c` of a pixel with opacity `a`, under graphite of grey `g` and opacity `t`, all 0 to 255:
+ * "darken" of the compositing model, so that graphite never lightens what is darker. Rounded once. */
+static uint32_t darken(uint32_t c, uint32_t a, uint32_t g, uint32_t t)
+{
+    uint32_t both = g * a < 255 * c ? g * a : 255 * c;
+    return (t * both + (255 - t) * 255 * c + g * t * (255 - a) + 65025 / 2) / 65025;
+}
+
+static void lay_pixel(unsigned char *at, cairo_format_t format, uint32_t g, uint32_t t)
+{
+    if (format == CAIRO_FORMAT_A8) { /* a mask: coverage alone */
+        *at = (unsigned char)(*at + t - (*at * t + 127) / 255);
+        return;
+    }
+    uint32_t *pixel = (uint32_t *)(void *)at, v = *pixel;
+    uint32_t a = format == CAIRO_FORMAT_RGB24 ? 255 : v >> 24, out = 0;
+    for (int shift = 0; shift < 24; shift += 8)
+        out |= darken(v >> shift & 255, a, g, t) << shift;
+    *pixel = out | (a + t - (a * t + 127) / 255) << 24;
+}
+
 bool plb_lay_on_cairo(cairo_surface_t *surface, const graphite *ink, const patch *from)
 {
-    cairo_surface_t *mask = cairo_image_surface_create(CAIRO_FORMAT_A8, from->width, from->height);
-    cairo_t *cr = cairo_create(surface);
-    unsigned char *data = cairo_image_surface_get_data(mask);
-    if (data) {
-        int stride = cairo_image_surface_get_stride(mask), depth = 255 - ink->darkest;
-        for (int y = 0; y < from->height; y++)
-            for (int x = 0; x < from->width; x++) {
-                int alpha = ((255 - from->grey[y * from->width + x]) * 255 + depth / 2) / depth;
-                data[y * stride + x] = (unsigned char)(alpha > 255 ? 255 : alpha);
-            }
-        cairo_surface_mark_dirty(mask);
-        double grey = ink->darkest / 255.0;
-        cairo_set_source_rgb(cr, grey, grey, grey);
-        cairo_set_operator(cr, CAIRO_OPERATOR_DARKEN); /* graphite never lightens what is darker */
-        cairo_mask_surface(cr, mask, from->x, from->y);
-    }
-    bool ok = data && cairo_status(cr) == CAIRO_STATUS_SUCCESS;
-    cairo_destroy(cr);
-    cairo_surface_destroy(mask);
-    return ok;
+    cairo_format_t format = cairo_image_surface_get_format(surface);
+    size_t bytes = format == CAIRO_FORMAT_A8 ? 1 : 4, stride = (size_t)cairo_image_surface_get_stride(surface);
+    int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
+    unsigned char *data = cairo_image_surface_get_data(surface);
+    if (!data || (format != CAIRO_FORMAT_A8 && format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24))
+        return false;
+    uint32_t g = (uint32_t)ink->darkest, depth = 255 - g;
+    for (int y = 0; y < from->height; y++)
+        for (int x = 0; x < from->width; x++) {
+            uint32_t dark = 255u - from->grey[y * from->width + x], t = (dark * 255 + depth / 2) / depth;
+            int px = from->x + x, py = from->y + y;
+            if (t && px >= 0 && py >= 0 && px < width && py < height)
+                lay_pixel(data + (size_t)py * stride + (size_t)px * bytes, format, g, t > 255 ? 255 : t);
+        }
+    return true;
 }
