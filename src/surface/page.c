@@ -17,23 +17,17 @@
 /* Graphite shines: it is never black (natural graphite reflects; darkest patch pixels scanned are about 60). */
 #define DARKEST_POSSIBLE 24
 
-/* The darkest grey that the pencil leaves anywhere, or a good deal below its bound. */
+/* From the bounds, not from the darkest pixel ever scanned: that may be a speck of dust. */
 static int darkest_of(const profile *p)
 {
     int low = p->min_range < p->min_mid ? p->min_range : p->min_mid;
-    for (int i = 0; i < low; i++)
-        for (int j = 0; j < PROFILE_GREYS; j++)
-            if (p->ccm[i * PROFILE_GREYS + j] || p->ccm[j * PROFILE_GREYS + i])
-                low = i;
     int darkest = low - BELOW_DARKEST;
-    return darkest < DARKEST_POSSIBLE ? (low <= DARKEST_POSSIBLE ? low - 1 : DARKEST_POSSIBLE) : darkest;
+    return darkest < DARKEST_POSSIBLE ? DARKEST_POSSIBLE : darkest;
 }
 
 void plb_graphite_init(graphite *g, const profile *p)
 {
     int darkest = darkest_of(p);
-    if (darkest < 0)
-        darkest = 0;
     double depth = 255.0 - darkest;
     g->darkest = darkest;
     for (int v = 0; v < 256; v++) {
