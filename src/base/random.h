@@ -14,7 +14,8 @@ typedef enum {
     PURPOSE_SQUIGGLE = 1, /* deviation of a path's control points */
     PURPOSE_CENTRE = 2,   /* grey of the centre row */
     PURPOSE_BESIDE = 3,   /* grey beside the centre */
-    PURPOSE_OUTSIDE = 4   /* grey of the rim */
+    PURPOSE_OUTSIDE = 4,  /* grey of the rim */
+    PURPOSE_HAND = 5      /* amplitudes of a free hand's deviation */
 } random_purpose;
 
 static inline uint64_t random_mix(uint64_t x)

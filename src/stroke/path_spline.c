@@ -170,6 +170,35 @@ static bool sample_piece(base_line *b, const control c[4], double length, size_t
     return true;
 }
 
+/* The papers' path: a spline through the control points. */
+static bool sample_spline(base_line *b, const stroke *s, double length, const stroke_options *o, path_samples *out)
+{
+    control c[CONTROLS_MAX], all[CONTROLS_MAX + 2];
+    size_t n = controls_of(length, s, o, c), wanted = count_samples(s, length);
+    extend(c, n, s->closed, all);
+    path_sample start = {.at = b->v[0]};
+    if (!array_push(out, start))
+        return false;
+    for (size_t k = 0; k + 1 < n; k++)
+        if (!sample_piece(b, all + k, length, wanted, out))
+            return false;
+    return true;
+}
+
+/* The graphite model's path: the free hand's modes. */
+static bool sample_hand(base_line *b, const stroke *s, double length, const stroke_options *o, path_samples *out)
+{
+    hand h = plb_hand(length, s->closed, s->identity, o);
+    size_t n = count_samples(s, length);
+    if (!array_reserve(out, n + 1))
+        return false;
+    for (size_t i = 0; i <= n; i++) {
+        double along = length * (double)i / (double)n;
+        out->v[out->n++].at = place(b, along, plb_hand_off(&h, along));
+    }
+    return true;
+}
+
 bool plb_path_sample(const stroke_list *list, const stroke *s, const stroke_options *o, path_samples *out, error *err)
 {
     base_line b = {list->points.v + s->first, s->n, 0, 0, s->closed};
@@ -177,15 +206,10 @@ bool plb_path_sample(const stroke_list *list, const stroke *s, const stroke_opti
     out->n = 0;
     if (!(length <= LONGEST_MM))
         return plb_fail(err, ERROR_LIMIT, "a stroke is longer than %g m", LONGEST_MM / 1000);
-    control c[CONTROLS_MAX], all[CONTROLS_MAX + 2];
-    size_t n = controls_of(length, s, o, c), wanted = count_samples(s, length);
-    extend(c, n, s->closed, all);
-    path_sample start = {.at = b.v[0]};
-    if (!array_push(out, start))
+    bool ok = o->model == MODEL_GRAPHITE ? sample_hand(&b, s, length, o, out) : sample_spline(&b, s, length, o, out);
+    if (!ok)
         return plb_fail_memory(err);
-    for (size_t k = 0; k + 1 < n; k++)
-        if (!sample_piece(&b, all + k, length, wanted, out))
-            return plb_fail_memory(err);
+    out->v[0].along = 0;
     measure(out, s->closed);
     return true;
 }
@@ -194,8 +218,10 @@ size_t plb_path_control_points(const stroke_list *list, const stroke *s, const s
 {
     base_line b = {list->points.v + s->first, s->n, 0, 0, s->closed};
     control c[CONTROLS_MAX];
-    size_t n = controls_of(length_of(b.v, b.n), s, o, c);
+    double length = length_of(b.v, b.n);
+    size_t n = controls_of(length, s, o, c);
+    hand h = plb_hand(length, s->closed, s->identity, o);
     for (size_t k = 0; k < n; k++)
-        out[k] = place(&b, c[k].along, c[k].off);
+        out[k] = place(&b, c[k].along, o->model == MODEL_GRAPHITE ? plb_hand_off(&h, c[k].along) : c[k].off);
     return n;
 }

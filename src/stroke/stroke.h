@@ -12,6 +12,10 @@
 #include "list/strokes.h"
 #include "profile/profile.h"
 
+typedef enum {
+    MODEL_HLA,     /* the papers' algorithm */
+    MODEL_GRAPHITE /* as measured on real lines */
+} line_model;
 typedef enum { ARM_JERK, ARM_SPRING } arm_model;
 
 /* A profile made ready for drawing: tables computed once. Immutable; shared by all strokes and threads. */
@@ -23,7 +27,8 @@ void plb_pencil_free(pencil *p);
 typedef struct {
     const pencil *pencil;
     uint64_t seed;
-    arm_model arm;
+    line_model model;
+    arm_model arm;   /* of the HLA */
     double squiggle; /* largest deviation D, mm, >= 0; negative: the arm's own */
     double dpi;      /* of the page's pixels */
 } stroke_options;
@@ -40,6 +45,17 @@ typedef struct {
 size_t plb_path_controls(double length, uint64_t identity, const stroke_options *o, control out[CONTROLS_MAX]);
 /* The largest deviation D in force for a line of `length` mm, in mm: it shrinks with short lines (plumbago(7)). */
 double plb_path_squiggle(double length, const stroke_options *o);
+
+/* How a free hand deviates from one line (path_hand.c): the model graphite's instead of D at control points. */
+#define HAND_MODES 8
+typedef struct {
+    double length; /* mm */
+    bool closed;
+    double amplitude[HAND_MODES]; /* mm */
+} hand;
+hand plb_hand(double length, bool closed, uint64_t identity, const stroke_options *o);
+/* How far off the line the hand is at `along` mm from its start: mm to the left of the direction. */
+double plb_hand_off(const hand *h, double along);
 
 /* A point of a drawn path. */
 typedef struct {
