@@ -22,6 +22,7 @@ static void finish(ps *p)
     while (p->frame_count)
         plb_ps_pop_frame(p);
     plb_ps_restore_to(p, 1);
+    plb_ps_free_kept_states(p);
     if (p->state_count)
         plb_ps_release_path(p, ps_gs(p)->path);
     plb_free(p->states);

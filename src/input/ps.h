@@ -46,7 +46,7 @@
 
 typedef enum {
     PS_NULL, PS_MARK, PS_BRACE /* an open `{`, never seen by programs */, PS_INTEGER, PS_REAL, PS_BOOLEAN, PS_NAME,
-    PS_STRING, PS_ARRAY, PS_DICT, PS_OPERATOR, PS_FILE, PS_SAVE, PS_FONT_ID
+    PS_STRING, PS_ARRAY, PS_DICT, PS_OPERATOR, PS_FILE, PS_SAVE, PS_FONT_ID, PS_GSTATE
 } ps_type;
 
 typedef struct ps ps;
@@ -80,7 +80,7 @@ struct ps_object {
         ps_dict *dict;
         const ps_operator *op;
         ps_file *file;
-        uint32_t save;
+        uint32_t save; /* its number; of a PS_GSTATE its place among the kept states */
     } as;
 };
 
@@ -235,6 +235,7 @@ struct ps {
     uint32_t dict_count;
     ps_state *states; /* the last is the current one */
     uint32_t state_count;
+    ARRAY(ps_state) kept_states; /* those of `gstate` */
     /* what is being executed */
     scanner scan;
     const ps_operator *op;
@@ -328,6 +329,9 @@ void plb_ps_restore_to(ps *p, uint32_t count);
 bool plb_ps_init_state(ps *p);
 void plb_ps_reset_graphics(ps *p);
 
+/* ps_gstate.c */
+void plb_ps_free_kept_states(ps *p);
+
 /* ps_matrix.c */
 bool plb_ps_get_matrix(ps *p, ps_object o, matrix *m);
 void plb_ps_put_matrix(ps_object array, matrix m);
@@ -383,7 +387,7 @@ unsigned plb_ps_components(ps *p, ps_object space);
 extern const ps_operator plb_ps_stack_operators[], plb_ps_arithmetic_operators[], plb_ps_relation_operators[],
     plb_ps_control_operators[], plb_ps_array_operators[], plb_ps_dict_operators[], plb_ps_string_operators[],
     plb_ps_type_operators[], plb_ps_file_operators[], plb_ps_filter_operators[], plb_ps_matrix_operators[],
-    plb_ps_state_operators[], plb_ps_colour_operators[], plb_ps_path_operators[], plb_ps_whole_path_operators[],
+    plb_ps_state_operators[], plb_ps_gstate_operators[], plb_ps_colour_operators[], plb_ps_path_operators[], plb_ps_whole_path_operators[],
     plb_ps_paint_operators[], plb_ps_clip_operators[], plb_ps_pattern_operators[], plb_ps_font_operators[], plb_ps_text_operators[], plb_ps_image_operators[], plb_ps_resource_operators[],
     plb_ps_page_operators[], plb_ps_system_operators[];
 

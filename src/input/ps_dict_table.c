@@ -28,7 +28,7 @@ bool plb_ps_equal(ps_object a, ps_object b)
     case PS_DICT: return a.as.dict == b.as.dict;
     case PS_OPERATOR: return a.as.op == b.as.op;
     case PS_FILE: return a.as.file == b.as.file;
-    case PS_SAVE: case PS_FONT_ID: return a.as.save == b.as.save;
+    case PS_SAVE: case PS_FONT_ID: case PS_GSTATE: return a.as.save == b.as.save;
     default: return true;
     }
 }

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript filters (PLRM, section 3.13). A filter is decoded when it is first read from, whole: the text encodings
- * and run lengths. Of the others (LZW, Flate, DCT …), which carry images, only the end is looked for, so that reading
- * can go on behind it.
+ * PostScript filters (PLRM, section 3.13). A filter is decoded when it is first read from, whole: the text
+ * encodings, run lengths and LZW. Of the others (Flate, DCT …), which carry images, only the end is looked for, so
+ * that reading can go on behind it.
  */
 #include "input/ps.h"
 
@@ -88,12 +88,91 @@ static bool decode_run_length(ps_file *f, bytes *out)
     return true;
 }
 
+/* LZW with codes of 9 to 12 bits, the high ones first (PLRM, section 3.13.3; Welch, IEEE Computer 17, 1984). A code
+ * above 257 stands for the string of `before` and one byte more. */
+#define LZW_CODES 4096
+
+typedef struct {
+    uint16_t before[LZW_CODES], length[LZW_CODES];
+    uint8_t last[LZW_CODES], first[LZW_CODES];
+    int next, width, have;
+    uint32_t bits;
+} lzw;
+
+static int lzw_code(ps_file *f, lzw *z)
+{
+    while (z->have < z->width) {
+        int c = take(f);
+        if (c < 0)
+            return 257;
+        z->bits = z->bits << 8 | (uint32_t)c;
+        z->have += 8;
+    }
+    z->have -= z->width;
+    return (int)(z->bits >> z->have & ((1u << z->width) - 1));
+}
+
+static bool lzw_put(const lzw *z, bytes *out, int code)
+{
+    size_t n = code < 256 ? 1 : z->length[code];
+    if (out->n >= PS_MAX_STRING)
+        return true;
+    if (!array_reserve(out, n))
+        return false;
+    out->n += n;
+    for (size_t i = out->n; code >= 256; code = z->before[code])
+        out->v[--i] = (char)z->last[code];
+    out->v[out->n - n] = (char)code;
+    return true;
+}
+
+/* Enters the string of `before` and the byte `c`; the width grows one code early, as in PDF and TIFF. */
+static void lzw_enter(lzw *z, int before, int c)
+{
+    if (z->next >= LZW_CODES)
+        return;
+    z->before[z->next] = (uint16_t)before;
+    z->last[z->next] = (uint8_t)c;
+    z->first[z->next] = before < 256 ? (uint8_t)before : z->first[before];
+    z->length[z->next] = (uint16_t)((before < 256 ? 1 : z->length[before]) + 1);
+    z->next++;
+    if (z->next + 1 >= 1 << z->width && z->width < 12)
+        z->width++;
+}
+
+static bool decode_lzw(ps_file *f, bytes *out)
+{
+    static const lzw start = {.next = 258, .width = 9};
+    lzw z = start;
+    int before = -1;
+    for (int code; (code = lzw_code(f, &z)) != 257;) {
+        if (code == 256) {
+            z.next = start.next;
+            z.width = start.width;
+            before = -1;
+            continue;
+        }
+        if (before < 0 ? code > 255 : code > z.next || (code == z.next && z.next >= LZW_CODES))
+            return true; /* broken data end here */
+        if (before >= 0) {
+            int next = code == z.next ? before : code;
+            lzw_enter(&z, before, next < 256 ? next : z.first[next]);
+        }
+        if (!lzw_put(&z, out, code))
+            return false;
+        before = code;
+    }
+    return true;
+}
+
 static bool open_decoder(ps *p, ps_file *f, bool (*decode)(ps_file *, bytes *))
 {
     bytes out = {0};
     ps_object copy;
     const char *start = f->source->at;
     bool good = decode(f->source, &out) || plb_fail_memory(&p->err);
+    if (out.n > PS_MAX_STRING)
+        out.n = PS_MAX_STRING;
     good = good && plb_ps_charge(p, (size_t)(f->source->at - start) / 8) && plb_ps_new_string(p, out.v, out.n, &copy);
     array_free(&out);
     if (!good)
@@ -105,6 +184,7 @@ static bool open_decoder(ps *p, ps_file *f, bool (*decode)(ps_file *, bytes *))
 
 static bool open_hex(ps *p, ps_file *f) { return open_decoder(p, f, decode_hex); }
 static bool open_ascii85(ps *p, ps_file *f) { return open_decoder(p, f, decode_ascii85); }
+static bool open_lzw(ps *p, ps_file *f) { return open_decoder(p, f, decode_lzw); }
 static bool open_run_length(ps *p, ps_file *f) { return open_decoder(p, f, decode_run_length); }
 
 static const char *find(const char *at, const char *end, const char *mark, size_t n)
@@ -192,7 +272,7 @@ static const struct {
     bool (*open)(ps *p, ps_file *f);
 } filters[] = {
     {"ASCIIHexDecode", open_hex},   {"ASCII85Decode", open_ascii85}, {"RunLengthDecode", open_run_length},
-    {"SubFileDecode", open_sub_file}, {"LZWDecode", open_opaque},    {"FlateDecode", open_opaque},
+    {"SubFileDecode", open_sub_file}, {"LZWDecode", open_lzw},    {"FlateDecode", open_opaque},
     {"DCTDecode", open_opaque},     {"CCITTFaxDecode", open_opaque}, {"ReusableStreamDecode", open_opaque},
 };
 

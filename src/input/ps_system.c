@@ -120,7 +120,7 @@ static bool add_all_operators(ps *p)
         plb_ps_array_operators, plb_ps_dict_operators, plb_ps_string_operators, plb_ps_type_operators,
         plb_ps_file_operators, plb_ps_filter_operators, plb_ps_matrix_operators, plb_ps_state_operators,
         plb_ps_colour_operators, plb_ps_path_operators, plb_ps_whole_path_operators, plb_ps_paint_operators,
-        plb_ps_clip_operators, plb_ps_pattern_operators, plb_ps_font_operators, plb_ps_text_operators, plb_ps_image_operators,
+        plb_ps_clip_operators, plb_ps_gstate_operators, plb_ps_pattern_operators, plb_ps_font_operators, plb_ps_text_operators, plb_ps_image_operators,
         plb_ps_resource_operators, plb_ps_page_operators, plb_ps_system_operators,
     };
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
@@ -135,14 +135,14 @@ static bool put_string(ps *p, ps_dict *d, const char *key, const char *text)
     return plb_ps_new_string(p, text, strlen(text), &s) && plb_ps_put_text(p, d, key, s);
 }
 
-/* Level 2: programs then draw blends step by step themselves instead of leaving them to Level 3 shadings. */
+/* Level 3, because some programs draw nothing for less. */
 static bool add_values(ps *p)
 {
     ps_dict *d = p->systemdict, *status = p->statusdict;
     return plb_ps_put_text(p, d, "true", ps_boolean(true)) && plb_ps_put_text(p, d, "false", ps_boolean(false)) &&
-           plb_ps_put_text(p, d, "null", ps_null()) && plb_ps_put_text(p, d, "languagelevel", ps_integer(2)) &&
+           plb_ps_put_text(p, d, "null", ps_null()) && plb_ps_put_text(p, d, "languagelevel", ps_integer(3)) &&
            plb_ps_put_text(p, d, "revision", ps_integer(0)) && plb_ps_put_text(p, d, "serialnumber", ps_integer(0)) &&
-           put_string(p, d, "product", "Plumbago") && put_string(p, d, "version", "2017") &&
+           put_string(p, d, "product", "Plumbago") && put_string(p, d, "version", "3010") &&
            put_string(p, status, "product", "Plumbago") && put_string(p, status, "printername", "Plumbago") &&
            put_string(p, status, "jobname", "") && plb_ps_put_text(p, status, "manualfeed", ps_boolean(false)) &&
            plb_ps_put_text(p, status, "waittimeout", ps_integer(0));

@@ -17,7 +17,7 @@ static bool op_type(ps *p)
         [PS_NULL] = "nulltype", [PS_MARK] = "marktype", [PS_BRACE] = "marktype", [PS_INTEGER] = "integertype",
         [PS_REAL] = "realtype", [PS_BOOLEAN] = "booleantype", [PS_NAME] = "nametype", [PS_STRING] = "stringtype",
         [PS_ARRAY] = "arraytype", [PS_DICT] = "dicttype", [PS_OPERATOR] = "operatortype", [PS_FILE] = "filetype",
-        [PS_SAVE] = "savetype", [PS_FONT_ID] = "fonttype",
+        [PS_SAVE] = "savetype", [PS_FONT_ID] = "fonttype", [PS_GSTATE] = "gstatetype",
     };
     ps_object name = plb_ps_name(p, names[ps_args(p, 1)->type]);
     name.executable = true;
