@@ -17,6 +17,7 @@ struct plb_profile {
 };
 
 struct plb_drawing {
+    char *name; /* of its file, for messages */
     display_list list;
     stroke_list strokes;
 };

@@ -57,6 +57,11 @@ static bool load(plb_drawing *d, const char *file, const plb_options *o, const m
     input_source in = {.name = shown_name(file), .data = data, .size = size, .helper_dir = o->helper_dir, .say = *say};
     bool ok = plb_input_read(&in, &d->list, err);
     plb_free(data);
+    d->name = plb_new(strlen(in.name) + 1, 1);
+    if (ok && !d->name)
+        return plb_fail_memory(err);
+    if (d->name)
+        strcpy(d->name, in.name);
     error late = {ERROR_NONE, ""};
     if (!ok)
         return false;
@@ -88,6 +93,7 @@ void plb_drawing_free(plb_drawing *d)
 {
     if (!d)
         return;
+    plb_free(d->name);
     plb_list_free(&d->list);
     plb_stroke_list_free(&d->strokes);
     plb_free(d);

@@ -26,8 +26,7 @@ static void report(const plb_options *o, double done)
         o->progress(o->closure, done);
 }
 
-/* Draws all strokes onto a new page. */
-static bool draw(const plb_drawing *d, const plb_options *o, const drawing_tools *t, page *to, error *err)
+static bool draw_strokes(const plb_drawing *d, const plb_options *o, const drawing_tools *t, page *to, error *err)
 {
     double px = o->dpi / MM_PER_INCH;
     if (!plb_page_init(to, d->list.width * px, d->list.height * px, &t->ink, err))
@@ -42,6 +41,13 @@ static bool draw(const plb_drawing *d, const plb_options *o, const drawing_tools
     plb_stroke_scratch_free(&scratch);
     report(o, 1);
     return ok;
+}
+
+/* Draws all strokes onto a new page. */
+static bool draw(const plb_drawing *d, const plb_options *o, const drawing_tools *t, page *to, error *err)
+{
+    error why = {ERROR_NONE, ""};
+    return draw_strokes(d, o, t, to, &why) || plb_fail(err, why.kind, "%s: %s", d->name, why.text);
 }
 
 static bool write_page(const page *p, const plb_options *o, const drawing_tools *t, const char *file, error *err)

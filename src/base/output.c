@@ -69,6 +69,8 @@ static int open_named(output *out, const char *folder)
 static int open_nameless(const char *folder)
 {
 #ifdef O_TMPFILE
+    if (access("/proc/self/fd", X_OK) != 0) /* without it the file could not be given a name */
+        return -1;
     return open(*folder ? folder : ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
 #else
     (void)folder;

@@ -81,8 +81,10 @@ static outcome run_tap(const input_source *in, const char *program, manner how, 
     argv[n] = NULL;
     process p;
     error reading = {0};
-    if (!plb_process_start(&p, program, argv, in->data, in->size, err))
+    if (!plb_process_start(&p, program, argv, in->data, in->size, &reading)) {
+        plb_fail(err, reading.kind, "%s: %s", in->name, reading.text);
         return FAILED;
+    }
     cairoscript_source from = {.refill = refill, .closure = &p};
     plb_read_cairoscript(&from, list, &reading);
     bool stopped_early = !from.complete && p.out >= 0;
@@ -110,9 +112,9 @@ static void warn(const input_source *in, manner how, const error *first)
 bool plb_read_svg(const input_source *in, display_list *list, error *err)
 {
     char program[PROCESS_PATH_MAX];
-    if (!plb_process_find(in->helper_dir, "tap-svg", program, err))
-        return false;
     error first = {0};
+    if (!plb_process_find(in->helper_dir, "tap-svg", program, &first))
+        return plb_fail(err, first.kind, "%s: %s", in->name, first.text);
     manner how = {false, false};
     for (;;) {
         outcome result = run_tap(in, program, how, list, &first);

@@ -29,8 +29,8 @@ typedef struct {
     const graphite *ink; /* borrowed */
 } page;
 
-/* The most pixels a page may have (two bytes each): A1 at 600 dpi fits. */
-#define PAGE_MAX_PIXELS ((double)400e6)
+/* The most pixels a page may have (two bytes each): A0 at 600 dpi fits. */
+#define PAGE_MAX_PIXELS ((double)600e6)
 
 /* False and `err` when too large or out of memory. */
 bool plb_page_init(page *p, double width_px, double height_px, const graphite *ink, error *err);
