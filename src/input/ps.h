@@ -125,6 +125,8 @@ struct ps_file {
     const char *filter;
     int32_t count;  /* SubFileDecode: marks to pass over */
     ps_object mark;
+    ps_object proc; /* what a filter's procedure still has to deliver */
+    int until;      /* … up to this byte, -1: up to an empty string */
 };
 
 /* ---- errors ----------------------------------------------------------------------------------------------- */
@@ -242,6 +244,8 @@ struct ps {
     int line;
     ps_fault fault, last_fault;
     int fault_line;
+    ps_file *pull;       /* what was called gave up: this file's procedure has to run first */
+    ps_object retry;     /* the file that was to be executed, when it was no operator that gave up */
     ps_object culprit;   /* the object that raised the fault */
     char detail[160];    /* more about it, or empty */
     bool finished;       /* quit, or the page is complete */
@@ -321,6 +325,8 @@ ps_file *plb_ps_file_of_string(ps *p, ps_object string);
 
 /* ps_filter.c: every reading of a file that a program hands over starts with this. */
 bool plb_ps_open_file(ps *p, ps_file *f);
+/* Runs the procedure that p->pull waits for, then what gave up for it once more. */
+bool plb_ps_start_pull(ps *p);
 
 /* ps_state.c */
 bool plb_ps_save_state(ps *p);

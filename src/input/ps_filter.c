@@ -252,6 +252,86 @@ static bool open_opaque(ps *p, ps_file *f)
     return true;
 }
 
+/* ---- procedures as sources -------------------------------------------------------------------------------- */
+
+typedef struct {
+    ps_file *file;
+    bytes got;
+} pulling;
+
+static bool open_procedure(ps *p, ps_file *f)
+{
+    f->open = open_procedure;
+    p->pull = f;
+    return false;
+}
+
+static void drop_pull(ps *p, ps_frame *f)
+{
+    pulling *now = f->data;
+    (void)p;
+    array_free(&now->got);
+}
+
+/* All strings have come: they are the file. */
+static bool end_pull(ps *p, pulling *now)
+{
+    ps_object copy;
+    if (!plb_ps_new_string(p, now->got.v, now->got.n, &copy))
+        return false;
+    now->file->at = copy.as.string;
+    now->file->end = copy.as.string + copy.n;
+    now->file->open = NULL;
+    plb_ps_pop_frame(p);
+    return true;
+}
+
+/* Frame: index: are we back from a call? */
+static bool step_pull(ps *p, ps_frame *f)
+{
+    pulling *now = f->data;
+    if (f->index) {
+        if (!plb_ps_check(p, "s"))
+            return false;
+        ps_object s = *ps_args(p, 1);
+        ps_drop(p, 1);
+        for (uint32_t i = 0; i < s.n; i++)
+            if (!put(&now->got, s.as.string[i]))
+                return plb_fail_memory(&p->err);
+        if (!plb_ps_charge(p, s.n / 8))
+            return false;
+        if (!s.n || (now->file->until >= 0 && memchr(s.as.string, now->file->until, s.n)))
+            return end_pull(p, now);
+    }
+    f->index = 1;
+    return plb_ps_execute(p, now->file->proc);
+}
+
+static bool step_retry(ps *p, ps_frame *f)
+{
+    ps_object what = f->body;
+    plb_ps_pop_frame(p);
+    return plb_ps_execute(p, what);
+}
+
+bool plb_ps_start_pull(ps *p)
+{
+    ps_object what = p->retry;
+    pulling *now = plb_ps_new(p, 1, sizeof *now);
+    if (p->op)
+        what = (ps_object){.type = PS_OPERATOR, .executable = true, .n = (uint32_t)p->line, .as.op = p->op};
+    ps_frame *retry = now ? plb_ps_push_frame(p, step_retry) : NULL;
+    ps_frame *f = retry ? plb_ps_push_frame(p, step_pull) : NULL;
+    if (f) {
+        retry->body = what;
+        *now = (pulling){.file = p->pull};
+        f->data = now;
+        f->drop = drop_pull;
+    }
+    p->pull = NULL;
+    return f != NULL;
+}
+
 /* Innermost first, and not by recursion: filters stand on filters as deep as the file likes. */
 bool plb_ps_open_file(ps *p, ps_file *f)
 {
@@ -259,7 +339,7 @@ bool plb_ps_open_file(ps *p, ps_file *f)
         ps_file *first = f;
         while (first->source && first->source->open && plb_ps_charge(p, 1))
             first = first->source;
-        bool (*open)(ps *, ps_file *) = first->source->opaque ? open_opaque : first->open;
+        bool (*open)(ps *, ps_file *) = first->source && first->source->opaque ? open_opaque : first->open;
         first->open = NULL;
         if (p->err.kind != ERROR_NONE || !open(p, first))
             return false;
@@ -278,18 +358,24 @@ static const struct {
 
 /* ---- the operator ----------------------------------------------------------------------------------------- */
 
-/* The stream a filter stands on; a string is one too. */
-static ps_file *source_of(ps *p, ps_object o)
+/* The stream a filter stands on; a string and a procedure are one too. */
+static ps_file *source_of(ps *p, ps_object o, ps_object filter)
 {
     if (o.type == PS_FILE)
         return o.as.file;
     if (o.type == PS_STRING)
         return plb_ps_file_of_string(p, o);
-    if (ps_is_proc(o))
-        plb_ps_fail(p, ERROR_UNSUPPORTED, "a filter that reads from a procedure is not known to this program");
-    else
+    if (!ps_is_proc(o)) {
         plb_ps_raise(p, PS_TYPECHECK);
-    return NULL;
+        return NULL;
+    }
+    ps_file *f = plb_ps_new(p, 1, sizeof *f);
+    if (f) {
+        *f = (ps_file){.at = "", .open = open_procedure, .proc = o};
+        f->end = f->at;
+        f->until = plb_ps_text_is(filter, "ASCII85Decode") ? '~' : plb_ps_text_is(filter, "ASCIIHexDecode") ? '>' : -1;
+    }
+    return f;
 }
 
 /* SubFileDecode's count and mark, from the operands above its source or from the dictionary there. */
@@ -322,7 +408,7 @@ static bool op_filter(ps *p)
     unsigned drop = ps_args(p, 2)->type == PS_DICT ? 3 : is_sub_file ? 4 : 2;
     if (p->operand_count < drop)
         return plb_ps_raise(p, PS_STACKUNDERFLOW);
-    ps_file *from = source_of(p, *ps_args(p, drop)), *f = from ? plb_ps_new(p, 1, sizeof *f) : NULL;
+    ps_file *from = source_of(p, *ps_args(p, drop), name), *f = from ? plb_ps_new(p, 1, sizeof *f) : NULL;
     if (!f)
         return false;
     *f = (ps_file){.at = "", .source = from, .open = filters[which].open, .filter = filters[which].name};

@@ -121,6 +121,8 @@ static bool step_source(ps *p, ps_frame *f);
 
 bool plb_ps_push_source(ps *p, ps_file *file)
 {
+    p->retry = ps_of_file(file);
+    p->retry.executable = true;
     if (!plb_ps_open_file(p, file))
         return false;
     if (file->opaque)
@@ -376,7 +378,9 @@ bool plb_ps_run(ps *p)
             return false;
         p->op = NULL;
         p->culprit = ps_null();
-        if (!f->step(p, f) && !plb_ps_handle_fault(p))
+        if (f->step(p, f) || (p->pull && plb_ps_start_pull(p)))
+            continue;
+        if (!plb_ps_handle_fault(p))
             return false;
     }
     return p->err.kind == ERROR_NONE;

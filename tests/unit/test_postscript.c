@@ -102,6 +102,7 @@ static void matrices_compose(void)
     CHECK(holds("2 3 scale 1 1 transform 1 1 dtransform 3 -1 roll eq 3 1 roll eq and"));
     CHECK(holds("matrix defaultmatrix pop 5 7 translate 12 34 transform itransform 34 sub abs 1e-6 lt exch 12 sub abs 1e-6 lt and"));
     CHECK(holds("[2 0 0 4 1 1] matrix invertmatrix 3 get 0.25 eq"));
+    CHECK(holds("gstate 5 setlinewidth setgstate currentlinewidth 1 eq"));
 }
 
 static void pens_follow_the_matrix(void)
@@ -217,6 +218,11 @@ static void the_file_can_be_read_by_its_program(void)
     CHECK(holds("currentfile 3 string readhexstring\n41 42 43\npop (ABC) eq"));
     CHECK(holds("currentfile 3 string readstring\nABC pop (ABC) eq"));
     CHECK(holds("currentfile /ASCIIHexDecode filter 9 string readstring 414243> pop (ABC) eq"));
+    CHECK(holds("<800B6050220C0C8501> /LZWDecode filter 10 string readstring pop (-----A---B) eq"));
+    CHECK(holds("<02414243FF44804545> /RunLengthDecode filter 9 string readstring pop (ABCDD) eq"));
+    CHECK(holds("(ab--cd--ef) 1 (--) /SubFileDecode filter 20 string readstring pop (ab--cd--) eq"));
+    CHECK(holds("/n 0 def { n 0 eq { /n 1 def (3120) } { (3220616464>) } ifelse } /ASCIIHexDecode filter cvx exec 3 eq"));
+    CHECK(holds("/n 0 def { /n n 1 add def n 3 le { (x) } { () } ifelse } 0 () /SubFileDecode filter 9 string readstring pop (xxx) eq"));
     CHECK(draw("4 4 8 [4 0 0 4 0 0] { currentfile 16 string readhexstring pop } image\n"
                "00112233445566778899aabbccddeeff\n0 0 moveto 1 1 lineto stroke"));
     CHECK(list.images == 1 && list.items.n == 1);
