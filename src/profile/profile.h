@@ -20,6 +20,43 @@
 #define PROFILE_SECTION_BINS 64
 #define PROFILE_SECTION_STEP 0.25
 
+/* ---- the grain: what the graphite model needs beyond the papers' statistics; plumbago(7) tells the model ---- */
+
+#define GRAIN_SECTION 36      /* mean section: bins of PROFILE_SECTION_STEP px of the reference width */
+#define GRAIN_MODES 6         /* ways in which the section changes slowly along the line … */
+#define GRAIN_MODE_PLACES 65  /* … at -8 to 8 px by steps of 0.25 px */
+#define GRAIN_LEVELS 26       /* expected darkness, see plb_grain_levels … */
+#define GRAIN_SCORES 33       /* … by normal scores -3 to 3 */
+#define GRAIN_PLACES 17       /* distances from the centreline by 0.5 px */
+#define GRAIN_CLASSES 5       /* of correlation across: 0, .1, .2, .3, .4 */
+#define GRAIN_TAPS 5          /* the filter's side, px */
+#define GRAIN_LINE 11         /* log depth, log width, log roughness, correlation along, across, six modes */
+
+/* Darkness is 255 - grey; "relative" means divided by the line's depth D; places are px at 300 dpi scaled so that the line
+ * has the reference width. */
+typedef struct {
+    bool present;                                  /* false: the profile was made without it */
+    float reference_width;                         /* px, width at half depth that the places below refer to */
+    float section[GRAIN_SECTION];                  /* mean relative darkness, bin k at (k + 1/2) / 4 px from the centreline */
+    float mode[GRAIN_MODES][GRAIN_MODE_PLACES];    /* unit vectors, each even or odd */
+    bool mode_is_odd[GRAIN_MODES];
+    float mode_between[GRAIN_MODES];               /* variance of its coefficient between lines (odd ones) */
+    float mode_within[GRAIN_MODES];                /* … and within a line */
+    float mode_length[GRAIN_MODES];                /* correlation length along the line, px, before smoothing by 8 px */
+    float darkness[GRAIN_LEVELS][GRAIN_SCORES];    /* relative darkness of a pixel by its expected level and normal score */
+    float place_scale[GRAIN_PLACES];               /* spread of the scores by distance */
+    float chain_high, chain_low, chain_share, chain_correlation; /* two-state chain of the columns' coefficient */
+    float filter[GRAIN_CLASSES][GRAIN_TAPS][GRAIN_TAPS]; /* of the innovations, [class][along][across], unit energy */
+    float volatility, volatility_across;           /* sd of the log amplitude; its correlation with the next row */
+    float line_mean[GRAIN_LINE];                   /* joint normal distribution of a line's own figures … */
+    float line_factor[GRAIN_LINE][GRAIN_LINE];     /* … mean + factor × standard normals, lower triangle */
+} grain_model;
+
+/* The levels of the rows of grain_model.darkness: 0 .005 .01 .02 .03 .045 .06 .08 .1 .13 .16 .2 .25 .3 .4 … 1.5 or so, rising. */
+extern const float plb_grain_levels[GRAIN_LEVELS];
+/* Sigma of the Gaussian along the line that separates slow from fast, px. */
+#define GRAIN_SMOOTH 8.0
+
 typedef struct {
     char name[PROFILE_NAME_SIZE]; /* the grade, "HB", or what the user called it */
     /* Lengths are multiples of 1/1000 px, greys of the section of 1/256: a profile and its file hold the same numbers. */
@@ -40,6 +77,8 @@ typedef struct {
 
     double section_mean[PROFILE_SECTION_BINS]; /* grey against distance from the centreline */
     double section_sd[PROFILE_SECTION_BINS];
+
+    grain_model grain;
 
     uint32_t *ccm;           /* 256 × 256, ccm[i * 256 + j]: pixels of grey i whose neighbour along the line has j */
     char *provenance;        /* free text, UTF-8: scans, hand, licence, how the grade was assigned */
