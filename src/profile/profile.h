@@ -25,7 +25,7 @@
 #define GRAIN_SECTION 36      /* mean section: bins of PROFILE_SECTION_STEP px of the reference width */
 #define GRAIN_MODES 6         /* ways in which the section changes slowly along the line … */
 #define GRAIN_MODE_PLACES 65  /* … at -8 to 8 px by steps of 0.25 px */
-#define GRAIN_LEVELS 26       /* expected darkness, see plb_grain_levels … */
+#define GRAIN_LEVELS 25       /* expected darkness, see plb_grain_levels … */
 #define GRAIN_SCORES 33       /* … by normal scores -3 to 3 */
 #define GRAIN_PLACES 17       /* distances from the centreline by 0.5 px */
 #define GRAIN_CLASSES 5       /* of correlation across: 0, .1, .2, .3, .4 */
@@ -52,7 +52,7 @@ typedef struct {
     float line_factor[GRAIN_LINE][GRAIN_LINE];     /* … mean + factor × standard normals, lower triangle */
 } grain_model;
 
-/* The levels of the rows of grain_model.darkness: 0 .005 .01 .02 .03 .045 .06 .08 .1 .13 .16 .2 .25 .3 .4 … 1.5 or so, rising. */
+/* The levels of the rows of grain_model.darkness: 0 .005 .01 .02 .03 .045 .06 .08 .1 .13 .16 .2 .25 .3 .4 (by .1) 1.4. */
 extern const float plb_grain_levels[GRAIN_LEVELS];
 /* Sigma of the Gaussian along the line that separates slow from fast, px. */
 #define GRAIN_SMOOTH 8.0
