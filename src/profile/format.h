@@ -13,12 +13,12 @@
 #define FORMAT_MAGIC "\211PNCL\r\n\032"
 #define FORMAT_MAGIC_SIZE 8
 #define FORMAT_MAJOR 1
-#define FORMAT_MINOR 0
+#define FORMAT_MINOR 1 /* 1: with the grain */
 #define FORMAT_HEADER_SIZE 16  /* magic, major, minor, size of the file */
 #define FORMAT_TRAILER_SIZE 4  /* CRC-32 of everything before it */
 #define FORMAT_SECTION_HEAD 8  /* tag, length */
 
-/* Bounds, chosen generously: the files of the eight pencils have 20 to 60 kB. */
+/* Bounds, chosen generously: the files of the eight pencils have 20 to 70 kB. */
 #define FORMAT_MAX_SIZE (4u << 20)
 #define FORMAT_MAX_SECTIONS 64
 #define FORMAT_MAX_TEXT 65536u

@@ -131,6 +131,13 @@ static uint8_t scaled(const straightener *w, int x, int y)
     return (uint8_t)(g > STRIP_LIGHTEST ? 255 : g);
 }
 
+/* For the grain: greys as they are, but paper is paper. */
+static float darkness(const straightener *w, int x, int y)
+{
+    double grey = fmin(255, grey_at(w, x, y) * 255.0 / w->paper);
+    return grey > STRIP_GRAIN_LIGHTEST ? 0 : (float)(255 - grey);
+}
+
 /* True when nothing but paper is in the rim rows of column k; clears what lies beyond the line. */
 static bool straighten_column(const straightener *w, line_strip *out, int k)
 {
@@ -140,8 +147,11 @@ static bool straighten_column(const straightener *w, line_strip *out, int k)
     for (int o = w->rim; o < w->rim + rows; o++)
         rim += fmin(255, grey_at(w, x, middle - o) * 255.0 / w->paper) + fmin(255, grey_at(w, x, middle + o) * 255.0 / w->paper);
     uint8_t *column = out->grey + (size_t)k * (size_t)strip_rows(out);
-    for (int o = -out->reach; o <= out->reach; o++)
+    float *dark = out->dark + (size_t)k * (size_t)strip_rows(out);
+    for (int o = -out->reach; o <= out->reach; o++) {
         column[o + out->reach] = abs(o) >= w->rim ? 255 : scaled(w, x, middle + o);
+        dark[o + out->reach] = abs(o) > STRIP_GRAIN_REACH * w->unit ? 0 : darkness(w, x, middle + o);
+    }
     out->offset[k] = w->line[k] - middle;
     double slope = (w->line[k + 1 < out->n ? k + 1 : k] - w->line[k > 0 ? k - 1 : k]) / (k > 0 && k + 1 < out->n ? 2 : 1);
     out->cosine[k] = 1 / sqrt(1 + slope * slope);
@@ -187,13 +197,14 @@ static bool straighten(straightener *w, line_strip *out, error *err)
     out->paper = w->paper;
     out->reach = (int)ceil(REACH * w->unit);
     out->grey = plb_new(n, (size_t)strip_rows(out));
+    out->dark = plb_new(n, (size_t)strip_rows(out) * sizeof *out->dark);
     out->offset = plb_new(n, sizeof *out->offset);
     out->cosine = plb_new(n, sizeof *out->cosine);
     out->usable = plb_new(n, sizeof *out->usable);
     bool *clear = plb_new(n, sizeof *clear);
     w->line = plb_new(n, sizeof *w->line);
     w->work = plb_new(n, sizeof *w->work);
-    bool good = out->grey && out->offset && out->cosine && out->usable && clear && w->line && w->work;
+    bool good = out->grey && out->dark && out->offset && out->cosine && out->usable && clear && w->line && w->work;
     if (good) {
         find_centreline(w);
         for (int k = 0; k < out->n; k++)
@@ -220,6 +231,7 @@ bool plb_line_strip_make(const scan *s, const line_track *t, double unit, int pa
 void plb_line_strip_free(line_strip *strip)
 {
     plb_free(strip->grey);
+    plb_free(strip->dark);
     plb_free(strip->offset);
     plb_free(strip->cosine);
     plb_free(strip->usable);

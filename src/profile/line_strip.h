@@ -14,6 +14,7 @@
 typedef struct {
     int n, reach;
     uint8_t *grey;
+    float *dark;     /* 255 - grey for the grain: neither rounded nor cut at STRIP_LIGHTEST, but paper beyond 8 px */
     double *offset;  /* of the centreline from the middle row, -0.5 to 0.5 px */
     double *cosine;  /* of its direction: a row's distance from the centreline is (row - offset) * cosine */
     bool *usable;    /* false: near an end of the line, or another mark is here */
@@ -26,6 +27,9 @@ typedef struct {
 /* Greys above this, on the scale where paper is 255, are paper: beyond the lines of the scans at hand 99 of 100 pixels
  * are lighter (scanner noise and JPEG ringing). They are set to 255. */
 #define STRIP_LIGHTEST 246
+/* The same for the grain. It needs the tails: what lies between 246 and 250 is the line's own faint rim. */
+#define STRIP_GRAIN_LIGHTEST 250
+#define STRIP_GRAIN_REACH 8 /* in 1/300 inch: rows beyond are paper */
 
 /* `unit` is 1/300 inch in pixels. The caller frees `out`. */
 bool plb_line_strip_make(const scan *s, const line_track *t, double unit, int paper, line_strip *out, error *err);
@@ -39,6 +43,10 @@ static inline int strip_rows(const line_strip *s)
 static inline uint8_t strip_grey(const line_strip *s, int k, int o)
 {
     return s->grey[(size_t)k * (size_t)strip_rows(s) + (size_t)(o + s->reach)];
+}
+static inline float strip_dark(const line_strip *s, int k, int o)
+{
+    return s->dark[(size_t)k * (size_t)strip_rows(s) + (size_t)(o + s->reach)];
 }
 static inline double strip_distance(const line_strip *s, int k, int o)
 {

@@ -8,6 +8,7 @@
  * next pixel along the straightened line; the cross-section is measured too.
  */
 #include "profile/format.h"
+#include "profile/grain.h"
 #include "profile/histogram.h"
 #include "profile/line_find.h"
 #include "profile/line_strip.h"
@@ -31,6 +32,7 @@ typedef struct {
     const capture_options *options;
     double dpi; /* of all scans; 0: not known yet */
     ARRAY(line_strip) strips;
+    ARRAY(line_strip) reduced; /* of scans finer than the grain's resolution: the same lines at that */
 } capture;
 
 capture_options plb_capture_defaults(void)
@@ -93,6 +95,29 @@ static bool judge(const capture *c, const char *file, const line_strip *s)
     return fits;
 }
 
+/* The grain is that of PAPER_PX_PER_INCH: a finer scan is averaged down to it, from a coarser one it cannot be had. */
+static bool has_grain_resolution(const capture *c)
+{
+    return fabs(c->dpi - PAPER_PX_PER_INCH) <= DPI_TOLERANCE * PAPER_PX_PER_INCH;
+}
+
+static bool add_reduced(capture *c, const scan *s, int paper, error *err)
+{
+    scan small;
+    line_strip strip;
+    if (has_grain_resolution(c) || c->dpi < PAPER_PX_PER_INCH)
+        return true;
+    if (!plb_scan_reduce(s, c->dpi / PAPER_PX_PER_INCH, &small, err))
+        return false;
+    bool made = make_strip(&small, 1, paper, &strip, err), kept = made && array_push(&c->reduced, strip);
+    plb_scan_png_free(&small);
+    if (made && !kept) {
+        plb_line_strip_free(&strip);
+        plb_fail_memory(err);
+    }
+    return kept;
+}
+
 static bool add_strip(capture *c, const char *file, const scan *s, error *err)
 {
     line_strip strip;
@@ -105,7 +130,7 @@ static bool add_strip(capture *c, const char *file, const scan *s, error *err)
         return false;
     bool use = judge(c, file, &strip);
     if (use && array_push(&c->strips, strip))
-        return true;
+        return add_reduced(c, s, paper, err);
     plb_line_strip_free(&strip);
     return use ? plb_fail_memory(err) : true;
 }
@@ -245,6 +270,13 @@ static bool check_options(const capture_options *o, error *err)
     return true;
 }
 
+static bool capture_grain(const capture *c, profile *p, error *err)
+{
+    bool as_scanned = has_grain_resolution(c);
+    return plb_grain_capture(as_scanned ? c->strips.v : c->reduced.v, as_scanned ? c->strips.n : c->reduced.n,
+                             c->options->width / MM_PER_INCH * PAPER_PX_PER_INCH, &p->grain, err);
+}
+
 static profile *make_profile(const capture *c, error *err)
 {
     const capture_options *o = c->options;
@@ -253,7 +285,7 @@ static profile *make_profile(const capture *c, error *err)
         p->ccm = plb_new(PROFILE_GREYS * PROFILE_GREYS, sizeof *p->ccm);
         p->provenance = plb_new(strlen(o->provenance) + 1, 1);
     }
-    bool good = p && p->ccm && p->provenance ? pool(c, p, err) : plb_fail_memory(err);
+    bool good = p && p->ccm && p->provenance ? pool(c, p, err) && capture_grain(c, p, err) : plb_fail_memory(err);
     if (!good) {
         plb_profile_release(p);
         return NULL;
@@ -276,6 +308,9 @@ profile *plb_capture(const char *const files[], size_t n, const capture_options 
         p = make_profile(&c, err);
     for (size_t i = 0; i < c.strips.n; i++)
         plb_line_strip_free(&c.strips.v[i]);
+    for (size_t i = 0; i < c.reduced.n; i++)
+        plb_line_strip_free(&c.reduced.v[i]);
     array_free(&c.strips);
+    array_free(&c.reduced);
     return p;
 }

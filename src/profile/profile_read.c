@@ -4,6 +4,7 @@
  * unknown tag are skipped, so that later versions can add some. pencil(5) has the table.
  */
 #include "profile/format.h"
+#include "profile/grain.h"
 #include "profile/histogram.h"
 #include "profile/profile.h"
 
@@ -146,6 +147,36 @@ static bool read_ccm(cursor *c, profile *p)
     return total <= FORMAT_MAX_COUNT;
 }
 
+/* IEEE 754 single precision. */
+static bool take_float(cursor *c, float *value)
+{
+    uint64_t u;
+    if (!take(c, 4, &u))
+        return false;
+    uint32_t bits = (uint32_t)u;
+    memcpy(value, &bits, sizeof bits);
+    return true;
+}
+
+static bool read_grain(cursor *c, profile *p)
+{
+    grain_model *g = &p->grain;
+    for (size_t i = 0; i < GRAIN_MODES; i++) {
+        uint64_t odd;
+        if (!take(c, 1, &odd) || odd > 1)
+            return false;
+        g->mode_is_odd[i] = odd == 1;
+    }
+    for (size_t f = 0; f < GRAIN_FIELDS; f++) {
+        float *values = (float *)(void *)((char *)g + plb_grain_fields[f].offset);
+        for (size_t i = 0; i < plb_grain_fields[f].count; i++)
+            if (!take_float(c, &values[i]))
+                return false;
+    }
+    g->present = plb_grain_is_sound(g);
+    return g->present;
+}
+
 static bool read_provenance(cursor *c, profile *p)
 {
     size_t n = (size_t)(c->end - c->at);
@@ -159,9 +190,11 @@ static bool read_provenance(cursor *c, profile *p)
 static const struct {
     char tag[5];
     bool (*read)(cursor *, profile *);
+    bool optional;
 } sections[] = {
-    {"NAME", read_name},   {"SCAN", read_scan},    {"HMID", read_mid}, {"HRNG", read_range},
-    {"BNDS", read_bounds}, {"SECT", read_section}, {"COOC", read_ccm}, {"PROV", read_provenance},
+    {"NAME", read_name, false},   {"SCAN", read_scan, false},    {"HMID", read_mid, false}, {"HRNG", read_range, false},
+    {"BNDS", read_bounds, false}, {"SECT", read_section, false}, {"COOC", read_ccm, false}, {"PROV", read_provenance, false},
+    {"GRAI", read_grain, true}, /* since version 1.1 */
 };
 #define SECTIONS (sizeof sections / sizeof *sections)
 
@@ -220,7 +253,7 @@ static bool parse_sections(const char *name, cursor c, profile *p, error *err)
         c.at += length;
     }
     for (size_t i = 0; i < SECTIONS; i++)
-        if (!seen[i])
+        if (!seen[i] && !sections[i].optional)
             return plb_fail(err, ERROR_SYNTAX, "%s: pencil profile lacks the section %s", name, sections[i].tag);
     return true;
 }

@@ -110,6 +110,38 @@ static void print_section(FILE *to, const profile *p)
     }
 }
 
+/* Standard deviation of figure `i` of a line. */
+static double line_sd(const grain_model *g, int i)
+{
+    double variance = 0;
+    for (int k = 0; k < GRAIN_LINE; k++)
+        variance += (double)g->line_factor[i][k] * g->line_factor[i][k];
+    return sqrt(variance);
+}
+
+static void line_spread(FILE *to, const char *text, double mean, int decimals, const char *unit, double sd)
+{
+    char a[48], b[48];
+    label(to, text);
+    fprintf(to, "%s %s, standard deviation between lines %s\n", digits(a, mean, decimals), unit, digits(b, sd, 2));
+}
+
+static void print_grain(FILE *to, const grain_model *g)
+{
+    char high[48], low[48];
+    label(to, "grain");
+    fprintf(to, "%s\n", g->present ? "at 300 dpi; spreads of depth, width, roughness are of their logarithms" : "not measured");
+    if (!g->present)
+        return;
+    line_spread(to, "  depth", exp((double)g->line_mean[0]), 1, "grey levels", line_sd(g, 0));
+    line_spread(to, "  width of a line", exp((double)g->line_mean[1]), 2, "px at half depth", line_sd(g, 1));
+    line_spread(to, "  roughness", exp((double)g->line_mean[2]), 3, "times the mean", line_sd(g, 2));
+    line_spread(to, "  correlation along", g->line_mean[3], 3, "with the next pixel", line_sd(g, 3));
+    line_spread(to, "  correlation across", g->line_mean[4], 3, "with the next pixel", line_sd(g, 4));
+    label(to, "  smooth and broken");
+    fprintf(to, "coefficient along %s or %s\n", digits(high, g->chain_high, 3), digits(low, g->chain_low, 3));
+}
+
 bool plb_profile_print(const profile *p, FILE *to)
 {
     ccm_figures f = figures_of_ccm(p->ccm);
@@ -130,6 +162,7 @@ bool plb_profile_print(const profile *p, FILE *to)
     fprintf(to, "%" PRIu64 " pairs in %" PRIu64 " cells of 65536\n", f.pairs, f.cells);
     line_number(to, "  correlation", f.correlation, 3, "of a pixel and the next along the line");
     line_number(to, "  mean step", f.step, 1, "grey levels");
+    print_grain(to, &p->grain);
     fprintf(to, "\ngrey, white left out        1%% 10%% 50%% 90%% 99%%     sd  pixels\n");
     line_histogram(to, "  centre", p->mid);
     line_histogram(to, "  whole line", p->range);

@@ -3,6 +3,7 @@
  * A profile as bytes and as a file: header, sections, checksum, all little-endian. pencil(5) has the table.
  */
 #include "profile/format.h"
+#include "profile/grain.h"
 #include "profile/profile.h"
 
 #include "base/array.h"
@@ -110,6 +111,25 @@ static void write_ccm(buffer *b, const profile *p)
         }
 }
 
+/* IEEE 754 single precision: its bits as a number. */
+static void put_float(buffer *b, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put(b, bits, 4);
+}
+
+static void write_grain(buffer *b, const profile *p)
+{
+    for (size_t i = 0; i < GRAIN_MODES; i++)
+        put(b, p->grain.mode_is_odd[i], 1);
+    for (size_t f = 0; f < GRAIN_FIELDS; f++) {
+        const float *values = (const float *)(const void *)((const char *)&p->grain + plb_grain_fields[f].offset);
+        for (size_t i = 0; i < plb_grain_fields[f].count; i++)
+            put_float(b, values[i]);
+    }
+}
+
 static void write_provenance(buffer *b, const profile *p)
 {
     put_bytes(b, p->provenance, strlen(p->provenance));
@@ -120,7 +140,8 @@ static const struct {
     void (*write)(buffer *, const profile *);
 } sections[] = {
     {"NAME", write_name},   {"SCAN", write_scan},    {"HMID", write_mid}, {"HRNG", write_range},
-    {"BNDS", write_bounds}, {"SECT", write_section}, {"COOC", write_ccm}, {"PROV", write_provenance},
+    {"BNDS", write_bounds}, {"SECT", write_section}, {"COOC", write_ccm}, {"GRAI", write_grain},
+    {"PROV", write_provenance},
 };
 
 static void patch_u32(buffer *b, size_t at, size_t value)
@@ -137,6 +158,8 @@ unsigned char *plb_profile_serialise(const profile *p, size_t *size, error *err)
     put(&b, FORMAT_MINOR, 2);
     put(&b, 0, 4);
     for (size_t i = 0; i < sizeof sections / sizeof *sections; i++) {
+        if (sections[i].write == write_grain && !p->grain.present)
+            continue;
         put_bytes(&b, sections[i].tag, 4);
         size_t length_at = b.bytes.n;
         put(&b, 0, 4);

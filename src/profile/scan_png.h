@@ -25,6 +25,8 @@ typedef struct {
 bool plb_scan_png_read(scan *s, const char *file, error *err);
 /* Rows and columns exchanged. */
 bool plb_scan_png_transpose(const scan *s, scan *out, error *err);
+/* Every pixel of `out` the mean of `factor` x `factor` pixels, factor > 1; a rest at the right and below is dropped. */
+bool plb_scan_reduce(const scan *s, double factor, scan *out, error *err);
 void plb_scan_png_free(scan *s);
 
 #endif

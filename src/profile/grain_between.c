@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Capture of the grain, tenth step: how lines differ: the joint normal distribution of their own figures.
+ */
+#include "profile/grain.h"
+
+#include "profile/grain_math.h"
+
+#include <math.h>
+
+#define LEAST_DEGREES 0.3 /* of freedom: one line tells nothing of the others, and its covariance is zero */
+
+/* The figures of one line; `along`, `across`: what is added to its correlations, so that their means are the moments'. */
+static void figures(const grain_line *l, const grain_model *g, double along, double across, double out[GRAIN_LINE])
+{
+    out[0] = log(l->depth);
+    out[1] = log(l->width);
+    out[2] = l->roughness;
+    out[3] = l->along + along;
+    out[4] = l->across + across;
+    for (int i = 0; i < GRAIN_MODES; i++)
+        out[5 + i] = g->mode_is_odd[i] ? 0 : l->mean[i];
+}
+
+void plb_grain_between(const grain_lines *lines, const grain_moments *m, grain_model *g)
+{
+    double along = m->correlation[1][0], across = m->correlation[0][1], degrees = 1, mean[GRAIN_LINE] = {0}, x[GRAIN_LINE];
+    double covariance[GRAIN_LINE * GRAIN_LINE] = {0}, factor[GRAIN_LINE * GRAIN_LINE];
+    for (size_t j = 0; j < lines->n; j++) {
+        along -= lines->v[j].weight * lines->v[j].along;
+        across -= lines->v[j].weight * lines->v[j].across;
+        degrees -= lines->v[j].weight * lines->v[j].weight;
+    }
+    for (size_t j = 0; j < lines->n; j++) {
+        figures(&lines->v[j], g, along, across, x);
+        for (int i = 0; i < GRAIN_LINE; i++)
+            mean[i] += lines->v[j].weight * x[i];
+    }
+    for (size_t j = 0; j < lines->n && lines->n > 1; j++) {
+        figures(&lines->v[j], g, along, across, x);
+        for (int i = 0; i < GRAIN_LINE * GRAIN_LINE; i++)
+            covariance[i] += lines->v[j].weight * (x[i / GRAIN_LINE] - mean[i / GRAIN_LINE]) * (x[i % GRAIN_LINE] - mean[i % GRAIN_LINE]) /
+                             fmax(degrees, LEAST_DEGREES);
+    }
+    plb_semi_cholesky(covariance, factor, GRAIN_LINE);
+    for (int i = 0; i < GRAIN_LINE; i++) {
+        g->line_mean[i] = (float)mean[i];
+        for (int j = 0; j < GRAIN_LINE; j++)
+            g->line_factor[i][j] = (float)factor[i * GRAIN_LINE + j];
+    }
+}
