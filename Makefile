@@ -121,11 +121,13 @@ packages-check:
 	@tests/packages $(packages_build) $(packages_tests)
 
 # ---- pictures and figures -----------------------------------------------------------------------------------
-.PHONY: figures bench profiles
+.PHONY: figures bench realism profiles
 figures: all $(tests_bin)
 	$(Q)tests/figures $(O)
 bench: all $(O)/tests/tools/measure
 	$(Q)tests/bench $(O)
+realism: all
+	$(Q)tests/realism $(O)
 profiles: $(O)/plumbago-profile
 	$(Q)profiles/capture.sh $(O)/plumbago-profile
 
@@ -167,6 +169,7 @@ help:
 	@echo 'make check      installs the packages that are missing, builds, runs all tests'
 	@echo 'make bench      speed, as ratios to rsvg-convert'
 	@echo 'make figures    the figures of the papers, in build/figures'
+	@echo 'make realism    can a machine observer tell drawn lines from scanned ones?'
 	@echo 'make profiles   captures the eight pencils anew, where the scans are at hand'
 	@echo 'make install    to $$(DESTDIR)$$(PREFIX); uninstall takes it away'
 	@echo 'make clean      removes build/'

@@ -13,7 +13,8 @@ plb_options plb_options_default(void)
     plb_options o;
     memset(&o, 0, sizeof o);
     o.seed = 1;
-    o.squiggle = -1; /* the arm's own: 5/300 in, or 3/300 in for the spring */
+    o.model = PLB_MODEL_GRAPHITE;
+    o.squiggle = -1; /* the arm's own */
     o.dpi = 300;
     o.scale = 1;
     return o;
@@ -29,7 +30,7 @@ bool plb_api_check(const plb_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "the page's size must be at most 100 m");
     if (!(o->squiggle <= 1000))
         return plb_fail(err, ERROR_ARGUMENT, "the squiggle must be at most 1 m");
-    if (o->model != PLB_MODEL_HLA || o->arm > PLB_ARM_SPRING || o->background > PLB_BACKGROUND_NONE)
+    if (o->model > PLB_MODEL_GRAPHITE || o->arm > PLB_ARM_SPRING || o->background > PLB_BACKGROUND_NONE)
         return plb_fail(err, ERROR_ARGUMENT, "there is no such model, arm or background");
     return true;
 }

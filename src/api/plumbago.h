@@ -97,12 +97,15 @@ PLB_API bool plb_profile_plot(const plb_profile *profile, const char *file, plb_
 /* ---- drawing --------------------------------------------------------------------------------------------- */
 
 typedef enum {
-    PLB_MODEL_HLA /* the papers' algorithm, with their constants */
+    PLB_MODEL_HLA,     /* the papers' algorithm, with their constants */
+    PLB_MODEL_GRAPHITE /* hand and grain as measured on real lines; needs a profile with a grain */
 } plb_model;
 
 typedef enum {
-    PLB_ARM_JERK,  /* minimum jerk with random deviation: Al-Meraj et al. 2008 */
-    PLB_ARM_SPRING /* the force model of the authors' earlier manuscript */
+    PLB_ARM_OWN,    /* the model's own: hand for graphite, jerk for hla */
+    PLB_ARM_HAND,   /* a free hand as measured */
+    PLB_ARM_JERK,   /* minimum jerk with random deviation: Al-Meraj et al. 2008 */
+    PLB_ARM_SPRING  /* the force model of the authors' earlier manuscript */
 } plb_arm;
 
 typedef enum { PLB_BACKGROUND_WHITE, PLB_BACKGROUND_NONE } plb_background;
@@ -111,10 +114,10 @@ typedef enum { PLB_BACKGROUND_WHITE, PLB_BACKGROUND_NONE } plb_background;
 typedef struct {
     const plb_profile *profile; /* the pencil; NULL: HB */
     uint64_t seed;              /* default 1 */
-    plb_model model;
-    plb_arm arm;
-    double squiggle;            /* deviation of the path, mm, >= 0; default 5/300 in (arm jerk); 0: ruler-straight;
-                                   negative: the arm's own default */
+    plb_model model;            /* default graphite */
+    plb_arm arm;                /* how the arm moves; default: the model's own */
+    double squiggle;            /* deviation of the path, mm; 0: ruler-straight; negative, the default: the arm's own.
+                                   jerk, spring: the largest; hand: as measured at 5/300 in, else in proportion */
     double dpi;                 /* pixels per inch of pictures; default 300, 10 to 4800 */
     double width, height;       /* size of the page, mm; 0: the drawing's own (one given: the other follows) */
     double scale;               /* factor on the drawing's own size; default 1; not with width or height */

@@ -52,11 +52,13 @@ static bool draw(const plb_drawing *d, const plb_options *o, const drawing_tools
 
 static bool write_page(const page *p, const plb_options *o, const drawing_tools *t, const char *file, error *err)
 {
+    static const char *const arms[] = {"", "hand", "jerk", "spring"};
     char seed[32], software[64];
     snprintf(seed, sizeof seed, "%llu", (unsigned long long)o->seed);
     snprintf(software, sizeof software, "Plumbago %s", plb_version());
     const char *text[] = {"Software", software, "Plumbago-Seed", seed, "Plumbago-Pencil", plb_profile_name(t->profile),
-                          "Plumbago-Model", "hla", "Plumbago-Arm", o->arm == PLB_ARM_SPRING ? "spring" : "jerk", NULL};
+                          "Plumbago-Model", o->model == PLB_MODEL_HLA ? "hla" : "graphite", "Plumbago-Arm",
+                          arms[plb_api_arm(o)], NULL};
     png_options png = {o->background == PLB_BACKGROUND_NONE ? PAGE_TRANSPARENT : PAGE_WHITE, o->dpi, text};
     output out;
     if (!plb_output_open(&out, file, err))

@@ -8,6 +8,11 @@
 
 #define DEFAULT_PENCIL "HB"
 
+plb_arm plb_api_arm(const plb_options *o)
+{
+    return o->arm != PLB_ARM_OWN ? o->arm : o->model == PLB_MODEL_HLA ? PLB_ARM_JERK : PLB_ARM_HAND;
+}
+
 bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
 {
     memset(t, 0, sizeof *t);
@@ -27,7 +32,8 @@ bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
     }
     plb_graphite_init(&t->ink, t->profile->p);
     t->stroke = (stroke_options){.pencil = t->pencil, .seed = o->seed, .squiggle = o->squiggle, .dpi = o->dpi};
-    t->stroke.arm = o->arm == PLB_ARM_SPRING ? ARM_SPRING : ARM_JERK;
+    t->stroke.model = o->model == PLB_MODEL_GRAPHITE ? MODEL_GRAPHITE : MODEL_HLA;
+    t->stroke.arm = plb_api_arm(o) == PLB_ARM_SPRING ? ARM_SPRING : plb_api_arm(o) == PLB_ARM_JERK ? ARM_JERK : ARM_HAND;
     return true;
 }
 

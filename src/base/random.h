@@ -15,7 +15,11 @@ typedef enum {
     PURPOSE_CENTRE = 2,   /* grey of the centre row */
     PURPOSE_BESIDE = 3,   /* grey beside the centre */
     PURPOSE_OUTSIDE = 4,  /* grey of the rim */
-    PURPOSE_HAND = 5      /* amplitudes of a free hand's deviation */
+    PURPOSE_HAND = 5,     /* amplitudes of a free hand's deviation */
+    PURPOSE_LINE = 6,     /* a line's own depth, width, roughness … */
+    PURPOSE_SLOW = 7,     /* slow changes of the section along the line */
+    PURPOSE_CHAIN = 8,    /* smooth and broken columns */
+    PURPOSE_GRAIN = 9     /* innovations of the grain */
 } random_purpose;
 
 static inline uint64_t random_mix(uint64_t x)

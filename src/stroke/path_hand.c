@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stroke, stage 1 of the graphite model: how a free hand deviates from the line it means to draw.
+ * Stroke, stage 1, the free hand: how it deviates from the line it means to draw.
  * Input: the length of the line, mm, and the address of its random numbers. Output: the deviation at a place along it.
  *
  * Measured on 104 freehand lines of six hands, 16 to 250 mm long (scans of hdBPMN, CC BY 4.0): the deviation from the
@@ -20,9 +20,9 @@ static const double median_percent[HAND_MODES] = {.56, .22, .14, .095, .066, .04
 #define MEDIAN_OF_NORMAL 0.6745
 /* Shorter waves than this the hand does not make. */
 #define SMOOTH_BELOW_MM 4.0
-/* A mode is at most this many times its median: a hand that slips farther lifts the pencil (90th percentile measured:
+/* A mode is at most this many times its median: a hand that slips farther starts anew (90th percentile of the extreme measured:
  * 2.2 times the median). */
-#define LARGEST_OF_MEDIAN 3.3
+#define LARGEST_OF_MEDIAN 2.2
 
 /* Normal, by the sum of twelve uniform numbers' bytes: smooth enough for amplitudes, the same on every machine. */
 static double normal(uint64_t key, uint64_t index)

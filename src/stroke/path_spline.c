@@ -185,7 +185,7 @@ static bool sample_spline(base_line *b, const stroke *s, double length, const st
     return true;
 }
 
-/* The graphite model's path: the free hand's modes. */
+/* The free hand's path: its modes. */
 static bool sample_hand(base_line *b, const stroke *s, double length, const stroke_options *o, path_samples *out)
 {
     hand h = plb_hand(length, s->closed, s->identity, o);
@@ -206,7 +206,7 @@ bool plb_path_sample(const stroke_list *list, const stroke *s, const stroke_opti
     out->n = 0;
     if (!(length <= LONGEST_MM))
         return plb_fail(err, ERROR_LIMIT, "a stroke is longer than %g m", LONGEST_MM / 1000);
-    bool ok = o->model == MODEL_GRAPHITE ? sample_hand(&b, s, length, o, out) : sample_spline(&b, s, length, o, out);
+    bool ok = o->arm == ARM_HAND ? sample_hand(&b, s, length, o, out) : sample_spline(&b, s, length, o, out);
     if (!ok)
         return plb_fail_memory(err);
     out->v[0].along = 0;
@@ -222,6 +222,6 @@ size_t plb_path_control_points(const stroke_list *list, const stroke *s, const s
     size_t n = controls_of(length, s, o, c);
     hand h = plb_hand(length, s->closed, s->identity, o);
     for (size_t k = 0; k < n; k++)
-        out[k] = place(&b, c[k].along, o->model == MODEL_GRAPHITE ? plb_hand_off(&h, c[k].along) : c[k].off);
+        out[k] = place(&b, c[k].along, o->arm == ARM_HAND ? plb_hand_off(&h, c[k].along) : c[k].off);
     return n;
 }

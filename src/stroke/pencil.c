@@ -71,10 +71,17 @@ pencil *plb_pencil_new(const profile *f, error *err)
     p->outside_span = f->max_range - p->outside_low + 1;
     tabulate_centre(p);
     tabulate_nearest(p);
+    if (f->grain.present && !plb_pencil_tabulate_grain(p)) {
+        plb_fail_memory(err);
+        plb_pencil_free(p);
+        return NULL;
+    }
     return p;
 }
 
 void plb_pencil_free(pencil *p)
 {
+    if (p)
+        plb_free(p->grain);
     plb_free(p);
 }

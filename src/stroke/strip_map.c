@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stroke, stage 6: the strip is laid along the path.
- * Input: a strip (pixels of the profile), the drawn path (mm). Output: patches (pixels of the page).
+ * Input: a texture (pixels of the profile), the drawn path (mm). Output: patches (pixels of the page).
  *
  * Each straight piece of the path owns the pixels between the two lines that bisect its joints, so every pixel beside
  * a smooth path belongs to one piece, and a joint shows neither gap nor overlap: both pieces see a pixel on their
- * common bisector at the same distance, and `along` is interpolated between the bisectors. The strip is read between
- * its pixels by bilinear interpolation; where a page pixel covers several strip pixels it is the mean of a grid of
- * samples.
+ * common bisector at the same distance, and `along` is interpolated between the bisectors. Where a page pixel covers
+ * several pixels of the texture it is the mean of a grid of samples.
  *
  *     piece i:   a(q) = (q - P_i) . B_i >= 0,   b(q) = (q - P_i+1) . B_i+1 < 0,   B the tangent at the joint
  *                across(q) = cross(T_i, q - P_i),   along(q) = s_i + len_i a / (a - b)
@@ -25,7 +24,7 @@
 #define MOST_SAMPLES 8
 
 typedef struct {
-    const strip *s;
+    const shading *s;
     double strip_px;      /* strip pixels per page pixel */
     int samples;          /* per page pixel and direction */
     double half_width;    /* page pixels */
@@ -44,18 +43,6 @@ typedef struct {
     double left, right; /* how far it reaches to either side, page pixels */
     int x0, y0, x1, y1; /* page pixels it may touch */
 } piece;
-
-/* Darkness (255 - grey) of the strip, 8 fractional bits, at a place in strip pixels; nothing outside. */
-static inline int read_strip(const strip *s, double x, double y)
-{
-    if (!(x >= 0 && y >= 0 && x < s->columns - 1 && y < s->rows - 1))
-        return 0;
-    int ix = (int)x, iy = (int)y;
-    int fx = (int)((x - ix) * 256), fy = (int)((y - iy) * 256);
-    const uint8_t *p = s->grey + (size_t)iy * (size_t)s->columns + ix, *q = p + s->columns;
-    int top = p[0] * (256 - fx) + p[1] * fx, bottom = q[0] * (256 - fx) + q[1] * fx;
-    return 255 * 256 - ((top * (256 - fy) + bottom * fy + 128) >> 8);
-}
 
 /* The mean of a pixel's samples, as grey. */
 static uint8_t resolve(const mapper *m, int x, int y)
@@ -133,13 +120,12 @@ static void map_row(mapper *m, const piece *k, double y, uint8_t *to)
     narrow(k->right - u0, -us, &low, &high);
     if (!(low <= high)) /* and so both fit an int */
         return;
-    double middle = (m->s->rows - 1) / 2.0;
     for (int i = low < 0 ? 0 : (int)ceil(low - 1e-9); i <= high + 1e-9; i++) {
         double a = a0 + i * k->b0.x * step, b = b0 + i * k->b1.x * step, u = u0 + i * us;
         if (a < 0 || b >= 0 || u > k->right || u < -k->left)
             continue;
         double along = k->s0 + k->length * m->strip_px * a / (a - b);
-        int darkness = (read_strip(m->s, along, u * m->strip_px + middle) + 128) >> 8;
+        int darkness = m->s->darkness(m->s->texture, along, u * m->strip_px);
         if (darkness > to[i])
             to[i] = (uint8_t)darkness;
     }
@@ -169,12 +155,12 @@ static piece piece_of(const mapper *m, const path_sample *from, const path_sampl
     point d = point_sub(k.p1, k.p0);
     k.length = plb_point_length(d);
     k.t = point_scale(d, 1 / k.length);
-    k.s0 = from->along * px * m->strip_px + STRIP_MARGIN - 0.5; /* sample 0 is the middle of its pixel */
-    double over = 1.5 / m->strip_px; /* beyond the ends lies the strip's margin, into which the blur has run */
+    k.s0 = from->along * px * m->strip_px;
+    double over = m->s->beyond / m->strip_px;
     if (first || last) {
         if (first) {
             k.p0 = point_sub(k.p0, point_scale(k.t, over));
-            k.s0 -= 1.5;
+            k.s0 -= m->s->beyond;
             k.b0 = k.t;
         }
         if (last) {
@@ -230,13 +216,12 @@ static bool make_fine(map_room *room, size_t side)
     return room->fine != NULL;
 }
 
-bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, bool closed, map_room *room, patch_sink sink,
-                   void *closure)
+bool plb_strip_map(const shading *s, double dpi, const path_samples *path, bool closed, map_room *room, patch_sink sink, void *closure)
 {
-    mapper m = {.s = s, .strip_px = strip_dpi / dpi, .sink = sink, .closure = closure};
+    mapper m = {.s = s, .strip_px = s->dpi / dpi, .sink = sink, .closure = closure};
     double n = ceil(m.strip_px - 0.01);
     m.samples = n < 1 ? 1 : n > MOST_SAMPLES ? MOST_SAMPLES : (int)n;
-    m.half_width = (s->rows - 1) / 2.0 / m.strip_px;
+    m.half_width = s->half_width / m.strip_px;
     m.stride = (size_t)(PATCH_SIDE * m.samples);
     if (!make_fine(room, m.stride))
         return false;

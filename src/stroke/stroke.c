@@ -11,6 +11,7 @@ void plb_stroke_scratch_free(stroke_scratch *s)
 {
     array_free(&s->path);
     plb_strip_free(&s->strip);
+    plb_grain_free(&s->grain);
     plb_free(s->map.fine);
     s->map = (map_room){0};
 }
@@ -28,17 +29,32 @@ bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint6
     return true;
 }
 
+/* A hand starts at the left or top end (as the short strokes measured were taken to be drawn). */
+static grain_ends ends_of(const path_samples *path, bool closed)
+{
+    point way = point_sub(path->v[path->n - 1].at, path->v[0].at);
+    return closed ? GRAIN_NO_ENDS : way.x + way.y >= 0 ? GRAIN_FORWARD : GRAIN_BACKWARD;
+}
+
 bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, patch_sink sink,
                      void *closure, error *err)
 {
     path_samples *path = &scratch->path;
-    double strip_dpi = o->pencil->profile->dpi;
+    double dpi = o->pencil->profile->dpi;
     if (!plb_path_sample(list, s, o, path, err))
         return false;
     if (path->n < 2)
         return true;
-    double length_px = path->v[path->n - 1].along / MM_PER_INCH * strip_dpi;
-    if (!plb_texture(&scratch->strip, length_px, s->closed, o->pencil, o->seed, s->identity, err))
-        return false;
-    return plb_strip_map(&scratch->strip, strip_dpi, o->dpi, path, s->closed, &scratch->map, sink, closure);
+    double length_px = path->v[path->n - 1].along / MM_PER_INCH * dpi;
+    shading texture;
+    if (o->model == MODEL_GRAPHITE) {
+        if (!plb_grain_make(&scratch->grain, length_px, ends_of(path, s->closed), o->pencil, o->seed, s->identity, err))
+            return false;
+        texture = plb_grain_shading(&scratch->grain, dpi);
+    } else {
+        if (!plb_texture(&scratch->strip, length_px, s->closed, o->pencil, o->seed, s->identity, err))
+            return false;
+        texture = plb_strip_shading(&scratch->strip, dpi);
+    }
+    return plb_strip_map(&texture, o->dpi, path, s->closed, &scratch->map, sink, closure);
 }

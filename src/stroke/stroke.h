@@ -16,7 +16,7 @@ typedef enum {
     MODEL_HLA,     /* the papers' algorithm */
     MODEL_GRAPHITE /* as measured on real lines */
 } line_model;
-typedef enum { ARM_JERK, ARM_SPRING } arm_model;
+typedef enum { ARM_JERK, ARM_SPRING, ARM_HAND } arm_model;
 
 /* A profile made ready for drawing: tables computed once. Immutable; shared by all strokes and threads. */
 typedef struct pencil pencil;
@@ -28,7 +28,7 @@ typedef struct {
     const pencil *pencil;
     uint64_t seed;
     line_model model;
-    arm_model arm;   /* of the HLA */
+    arm_model arm;
     double squiggle; /* largest deviation D, mm, >= 0; negative: the arm's own */
     double dpi;      /* of the page's pixels */
 } stroke_options;
@@ -46,7 +46,7 @@ size_t plb_path_controls(double length, uint64_t identity, const stroke_options 
 /* The largest deviation D in force for a line of `length` mm, in mm: it shrinks with short lines (plumbago(7)). */
 double plb_path_squiggle(double length, const stroke_options *o);
 
-/* How a free hand deviates from one line (path_hand.c): the model graphite's instead of D at control points. */
+/* How a free hand deviates from one line (path_hand.c): ARM_HAND's, instead of D at control points. */
 #define HAND_MODES 8
 typedef struct {
     double length; /* mm */
@@ -92,21 +92,56 @@ void plb_texture_wrap(strip *s);
 /* All three in order; `closed` strokes are wrapped. */
 bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint64_t seed, uint64_t identity, error *err);
 
+/* A texture in the strip frame, as the mapping asks for it. */
+typedef struct {
+    const void *texture;
+    /* Darkness, 0 to 255, at a place in pixels of the profile: along the line from its start, and across to the right. */
+    int (*darkness)(const void *texture, double along, double across);
+    double half_width; /* px: farther across there is none */
+    double beyond;     /* px: how far it reaches beyond the ends of an open line */
+    double dpi;        /* of its pixels */
+} shading;
+
+/* The papers' strip as such a texture (bilinear between its pixels). */
+shading plb_strip_shading(const strip *s, double dpi);
+
 /* Room for mapping, kept from stroke to stroke. */
 typedef struct {
     uint8_t *fine;
     size_t size;
 } map_room;
 
-/* Lays the strip along the path and hands out the patches it makes on a page of `dpi` (strip_map.c). A pixel of the
+/* Lays the texture along the path and hands out the patches it makes on a page of `dpi` (strip_map.c). A pixel of the
  * page belongs to one patch of a stroke only, except where the stroke crosses itself. */
-bool plb_strip_map(const strip *s, double strip_dpi, double dpi, const path_samples *path, bool closed, map_room *room,
-                   patch_sink sink, void *closure);
+bool plb_strip_map(const shading *s, double dpi, const path_samples *path, bool closed, map_room *room, patch_sink sink, void *closure);
+
+/* ---- the graphite model (texture_grain.c) ---- */
+
+/* The texture of one stroke: a field of normal scores, and what the scores mean at each place. */
+typedef struct {
+    const pencil *pencil;
+    int columns, rows;       /* px along and across; rows odd */
+    int8_t *score;           /* [column][row], in 1/GRAIN_SCORE_UNIT */
+    uint8_t *level;          /* [knot][place]: expected darkness, see texture_grain.c */
+    uint8_t *pressure;       /* [column], of 255 */
+    size_t score_room, level_room, pressure_room;
+    float depth;             /* 255 - grey of the line's middle */
+    float place_per_px;      /* places of the profile per px across */
+} grain;
+void plb_grain_free(grain *g);
+
+/* Where the hand starts and where it lifts. */
+typedef enum { GRAIN_NO_ENDS, GRAIN_FORWARD, GRAIN_BACKWARD } grain_ends;
+
+/* Fills `g` for a stroke of `length_px`. Needs a profile with a grain. */
+bool plb_grain_make(grain *g, double length_px, grain_ends ends, const pencil *p, uint64_t seed, uint64_t identity, error *err);
+shading plb_grain_shading(const grain *g, double dpi);
 
 /* Room that a thread keeps from stroke to stroke. */
 typedef struct {
     path_samples path;
     strip strip;
+    grain grain;
     map_room map;
 } stroke_scratch;
 void plb_stroke_scratch_free(stroke_scratch *s);

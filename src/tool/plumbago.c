@@ -97,12 +97,12 @@ static bool set_squiggle(void *p, const char *v)
 static bool set_model(void *p, const char *v)
 {
     int i;
-    return choose(v, (const char *const[]){"hla"}, 1, &i) ? (((settings *)p)->o.model = (plb_model)i, true) : false;
+    return choose(v, (const char *const[]){"hla", "graphite"}, 2, &i) ? (((settings *)p)->o.model = (plb_model)i, true) : false;
 }
 static bool set_arm(void *p, const char *v)
 {
     int i;
-    return choose(v, (const char *const[]){"jerk", "spring"}, 2, &i) ? (((settings *)p)->o.arm = (plb_arm)i, true) : false;
+    return choose(v, (const char *const[]){"", "hand", "jerk", "spring"}, 4, &i) && i > 0 ? (((settings *)p)->o.arm = (plb_arm)i, true) : false;
 }
 static bool set_background(void *p, const char *v)
 {
@@ -146,8 +146,8 @@ static const option table[] = {
     {0, NULL, NULL, "Hand", NULL},
     {'s', "seed", "SEED", "a number, or 'random': another hand for the same drawing [1]", set_seed},
     {0, "squiggle", "LEN", "deviation of the path; 0: ruler-straight [5/300in; spring: 3/300in]", set_squiggle},
-    {0, "model", "hla", "how lines are made: the papers' algorithm [hla]", set_model},
-    {0, "arm", "jerk|spring", "how the arm moves [jerk]", set_arm},
+    {0, "model", "graphite|hla", "how lines are made: as measured, or the papers' algorithm [graphite]", set_model},
+    {0, "arm", "hand|jerk|spring", "how the arm moves [hand; with --model hla: jerk]", set_arm},
     {0, NULL, NULL, "Diagnosis", NULL},
     {0, "dump", "list|strokes|controls", "show what a stage made instead of drawing", set_dump},
     {'q', "quiet", NULL, "no warnings, no progress", set_quiet},

@@ -68,12 +68,19 @@ if cp "$ROOT/profiles/HB.pencil" copy.pencil 2>/dev/null; then
 fi
 
 # ---- the model and the arm ----
-draws "--model hla" --model hla -o model.png a.svg
-same "hla is the default model" model.png default.png
-draws "--arm jerk" --arm jerk -o jerk.png a.svg
-same "jerk is the default arm" jerk.png default.png
+draws "--model hla" --model hla -o hla.png a.svg
+differ "the models differ" hla.png default.png
+draws "--model graphite" --model graphite -o model.png a.svg
+same "graphite is the default model" model.png default.png
+draws "--arm jerk" --arm jerk --model hla -o jerk.png a.svg
+same "jerk is the default arm of hla" jerk.png hla.png
+draws "--arm hand" --arm hand -o hand.png a.svg
+same "hand is the default arm of graphite" hand.png default.png
 draws "--arm spring" --arm spring -o spring.png a.svg
-differ "the arms differ" jerk.png spring.png
+differ "hand and spring differ" hand.png spring.png
+draws "--arm jerk with graphite" --arm jerk -o jerk.png a.svg
+differ "jerk and spring differ" jerk.png spring.png
+misused "an empty --arm" arm --arm= a.svg
 draws "--squiggle 0" --squiggle 0 -o straight.png a.svg
 differ "--squiggle changes the drawing" straight.png default.png
 draws "--squiggle 5/300in" --squiggle 5/300in -o squiggle.png a.svg

@@ -41,9 +41,12 @@ done <<'END'
 lines-HB lines.svg -d 100
 lines-2H lines.svg -d 100 -p 2H
 lines-8B lines.svg -d 100 -p 8B -s 7
-curves-spring curves.svg -d 100 --arm spring -p B
+lines-hla lines.svg -d 100 --model hla
+curves-hla curves.svg -d 100 --model hla -p 6B
+curves-spring curves.svg -d 100 --model hla --arm spring -p B
 dashes-straight dashes.svg -d 100 --squiggle 0
 state-3B state.eps -d 100 -p 3B
 transforms-none transforms.svg -d 80 --background none
 controls curves.svg -d 80 --dump=controls
+controls-hla curves.svg -d 80 --dump=controls --model hla
 END

@@ -45,7 +45,8 @@ static void map_even_strip(const point *base, size_t n, bool closed, double dpi,
         plb_texture_wrap(&even);
     map_room room = {0};
     memset(c, 0, sizeof *c);
-    CHECK(plb_strip_map(&even, 300, dpi, &path, closed, &room, count, c));
+    shading texture = plb_strip_shading(&even, 300);
+    CHECK(plb_strip_map(&texture, dpi, &path, closed, &room, count, c));
     free(even.grey);
     plb_free(room.fine);
     array_free(&path);

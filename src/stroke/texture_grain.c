@@ -1,0 +1,329 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The graphite model's texture (plumbago(7)).
+ * Input: the length of the path in pixels of the profile; the profile's grain. Output: a field of normal scores in the
+ * strip frame, and per place the darkness to expect; together they give the darkness of any point beside the path.
+ *
+ *   1. The line's own depth, width, roughness and correlations are drawn from their captured joint distribution.
+ *   2. Its cross-section changes slowly along it: mean section plus six modes, each with a slow random coefficient.
+ *   3. Grain: white noise through the captured filter, joined from column to column by a chain whose coefficient is
+ *      high in smooth columns and low in broken ones.
+ *   4. A point's darkness is the captured quantile, at the point's score, of pixels where so much darkness is expected.
+ */
+#include "base/random.h"
+#include "stroke/pencil.h"
+
+#include <math.h>
+#include <string.h>
+
+/* No graphite farther from the centreline than this, in places of the profile. */
+#define REACH 7.0
+#define HALF_ROWS_MAX 40
+#define ROWS_MAX (2 * HALF_ROWS_MAX + 1)
+#define TAPS_HALF (GRAIN_TAPS / 2)
+/* Scores fade into the plain field where the expected darkness falls through these: they were captured on the line. */
+#define TAIL_LOW 0.05
+#define TAIL_SPAN 0.25
+/* Half a kilometre of pencil, in columns. */
+#define COLUMNS_MAX 6000000
+
+/* What one stroke draws once. */
+typedef struct {
+    double depth, width, roughness, along, across;
+    double mode[GRAIN_MODES];
+} line_figures;
+
+void plb_grain_free(grain *g)
+{
+    plb_free(g->score);
+    plb_free(g->level);
+    plb_free(g->pressure);
+    memset(g, 0, sizeof *g);
+}
+
+/* ---- room ---- */
+
+static bool make_room(void **v, size_t *room, size_t need)
+{
+    if (need <= *room)
+        return true;
+    plb_free(*v);
+    *v = plb_new(need, 1);
+    *room = *v ? need : 0;
+    return *v != NULL;
+}
+
+static size_t knots_of(int columns)
+{
+    return (size_t)columns / GRAIN_KNOT + 2;
+}
+
+static bool resize(grain *g, int columns, int rows, error *err)
+{
+    g->columns = columns;
+    g->rows = rows;
+    bool ok = make_room((void **)&g->score, &g->score_room, (size_t)columns * (size_t)rows) &&
+              make_room((void **)&g->level, &g->level_room, knots_of(columns) * GRAIN_MODE_PLACES) &&
+              make_room((void **)&g->pressure, &g->pressure_room, (size_t)columns);
+    return ok || plb_fail_memory(err);
+}
+
+/* ---- 1: the line ---- */
+
+static double normal_at(const grain_tables *t, uint64_t key, uint64_t index)
+{
+    return t->normal[random_bits(key, index) >> 52];
+}
+
+static double clamp(double v, double low, double high)
+{
+    return v < low ? low : v > high ? high : v;
+}
+
+static line_figures draw_line(const pencil *p, uint64_t key)
+{
+    const grain_model *g = &p->profile->grain;
+    double x[GRAIN_LINE], n[GRAIN_LINE];
+    for (int i = 0; i < GRAIN_LINE; i++) {
+        n[i] = normal_at(p->grain, key, (uint64_t)i);
+        x[i] = g->line_mean[i];
+        for (int j = 0; j <= i; j++)
+            x[i] += g->line_factor[i][j] * n[j];
+    }
+    line_figures f = {clamp(exp(x[0]), 1, 254), clamp(exp(x[1]), 0.5, 200), x[2], x[3], x[4], {0}};
+    for (int i = 0; i < GRAIN_MODES; i++)
+        f.mode[i] = g->mode_is_odd[i] ? sqrt(g->mode_between[i]) * normal_at(p->grain, key, (uint64_t)(GRAIN_LINE + i)) : x[5 + i];
+    return f;
+}
+
+/* ---- 2: the section along the line ---- */
+
+/* A mode's coefficient at the knots, into out[0 .. n): a stationary process from knot to knot, smoothed. */
+static void slow_process(const grain_tables *t, int mode, uint64_t key, size_t n, float *raw, float *out)
+{
+    float keep = t->knot_keep[mode], fresh = sqrtf(1 - keep * keep);
+    uint64_t base = (uint64_t)mode << 32;
+    size_t all = n + 2 * GRAIN_SMOOTH_KNOTS;
+    for (size_t k = 0; k < all; k++) {
+        float e = (float)normal_at(t, key, base + k);
+        raw[k] = k ? keep * raw[k - 1] + fresh * e : e;
+    }
+    for (size_t k = 0; k < n; k++) {
+        float sum = 0;
+        for (int i = 0; i <= 2 * GRAIN_SMOOTH_KNOTS; i++)
+            sum += t->smooth[i] * raw[k + (size_t)i];
+        out[k] = sum * t->knot_scale[mode];
+    }
+}
+
+static void fill_levels(grain *g, const line_figures *f, const float *coefficient, size_t knots)
+{
+    const grain_tables *t = g->pencil->grain;
+    for (size_t k = 0; k < knots; k++) {
+        float m[GRAIN_MODE_PLACES];
+        memcpy(m, t->section, sizeof m);
+        for (int i = 0; i < GRAIN_MODES; i++) {
+            float a = (float)f->mode[i] + coefficient[(size_t)i * knots + k];
+            for (int j = 0; j < GRAIN_MODE_PLACES; j++)
+                m[j] += a * t->mode[i][j];
+        }
+        for (int j = 0; j < GRAIN_MODE_PLACES; j++) {
+            float v = m[j] * GRAIN_LEVEL_UNIT + 0.5f;
+            g->level[k * GRAIN_MODE_PLACES + (size_t)j] = (uint8_t)(v < 0 ? 0 : v > 255 ? 255 : v);
+        }
+    }
+}
+
+static bool make_section(grain *g, const line_figures *f, uint64_t key, error *err)
+{
+    size_t knots = knots_of(g->columns), raw = knots + 2 * GRAIN_SMOOTH_KNOTS;
+    float *room = plb_new(knots * GRAIN_MODES + raw, sizeof *room);
+    if (!room)
+        return plb_fail_memory(err);
+    for (int i = 0; i < GRAIN_MODES; i++)
+        slow_process(g->pencil->grain, i, key, knots, room + knots * GRAIN_MODES, room + knots * (size_t)i);
+    fill_levels(g, f, room, knots);
+    plb_free(room);
+    return true;
+}
+
+/* ---- 3: the grain ---- */
+
+/* What the rows share: how far they are from the centreline decides how scores are taken there. */
+typedef struct {
+    float place_scale[ROWS_MAX], share[ROWS_MAX]; /* share: of the score, the rest of the plain field */
+} row_figures;
+
+static float at_place(const float *v, int n, double x)
+{
+    if (x <= 0)
+        return v[0];
+    if (x >= n - 1)
+        return v[n - 1];
+    int i = (int)x;
+    return v[i] + (float)(x - i) * (v[i + 1] - v[i]);
+}
+
+static row_figures figures_of_rows(const grain *g)
+{
+    const grain_model *m = &g->pencil->profile->grain;
+    row_figures r;
+    for (int k = 0; k < g->rows; k++) {
+        double place = fabs((double)(k - g->rows / 2)) * (double)g->place_per_px;
+        double f = at_place(m->section, GRAIN_SECTION, place / PROFILE_SECTION_STEP - 0.5);
+        double tz = at_place(m->place_scale, GRAIN_PLACES, place / 0.5 - 0.5);
+        r.place_scale[k] = (float)((1 + (tz - 1) * clamp((f - 0.4) / 0.4, 0, 1)) * GRAIN_SCORE_UNIT);
+        r.share[k] = (float)clamp((f - TAIL_LOW) / TAIL_SPAN, 0, 1);
+    }
+    return r;
+}
+
+/* A column of white noise: five numbers of 12 bits from each draw. */
+static void fill_noise(const grain_tables *t, uint64_t key, uint64_t column, int n, float *out)
+{
+    for (int r = 0; r < n; r += 5) {
+        uint64_t bits = random_bits(key, column * 32 + (uint64_t)(r / 5));
+        for (int k = r; k < r + 5 && k < n; k++, bits >>= 12)
+            out[k] = t->normal[bits & (GRAIN_NORMALS - 1)];
+    }
+}
+
+/* The chain's coefficient in each column, two states; written over by the reader column by column. */
+static double next_coefficient(const grain_model *g, const line_figures *f, bool *high, double u, bool first)
+{
+    double p = g->chain_share, rho = g->chain_correlation;
+    *high = u < (first ? p : *high ? p + rho * (1 - p) : p * (1 - rho));
+    return clamp((*high ? g->chain_high : g->chain_low) + f->along - g->line_mean[3], -0.3, 0.95);
+}
+
+static void filter_column(const float (*tap)[GRAIN_TAPS], float *const noise[GRAIN_TAPS], int rows, float *out)
+{
+    memset(out, 0, (size_t)rows * sizeof *out);
+    for (int i = 0; i < GRAIN_TAPS; i++)
+        for (int j = 0; j < GRAIN_TAPS; j++) {
+            float h = tap[i][j];
+            const float *e = noise[i] + j;
+            for (int r = 0; r < rows; r++)
+                out[r] += h * e[r];
+        }
+}
+
+static void write_scores(const grain *g, const row_figures *rows, const float *field, float rough, int8_t *out)
+{
+    const int8_t *score = g->pencil->grain->score;
+    for (int r = 0; r < g->rows; r++) {
+        float x = field[r] * rough * ((GRAIN_MAP - 1) / 16.0f) + GRAIN_MAP / 2 + 0.5f;
+        int k = x < 0 ? 0 : x > GRAIN_MAP - 1 ? GRAIN_MAP - 1 : (int)x;
+        float z = (float)score[k] * (1.0f / GRAIN_SCORE_UNIT) * rows->share[r] + field[r] * (1 - rows->share[r]);
+        z *= rows->place_scale[r];
+        out[r] = (int8_t)(z > 127 ? 127 : z < -127 ? -127 : z < 0 ? z - 0.5f : z + 0.5f);
+    }
+}
+
+static void make_grain(grain *g, const line_figures *f, uint64_t noise_key, uint64_t chain_key)
+{
+    const grain_model *m = &g->pencil->profile->grain;
+    const grain_tables *t = g->pencil->grain;
+    const float(*tap)[GRAIN_TAPS] = m->filter[(int)clamp(floor(f->across * 10 + 0.5), 0, GRAIN_CLASSES - 1)];
+    float room[GRAIN_TAPS][ROWS_MAX + 2 * TAPS_HALF], *noise[GRAIN_TAPS], white[ROWS_MAX], field[ROWS_MAX];
+    row_figures rows = figures_of_rows(g);
+    float rough = (float)exp(f->roughness);
+    bool high = false;
+    for (int i = 0; i < GRAIN_TAPS; i++) {
+        noise[i] = room[i];
+        fill_noise(t, noise_key, (uint64_t)i, g->rows + 2 * TAPS_HALF, noise[i]);
+    }
+    for (int s = 0; s < g->columns; s++) {
+        filter_column(tap, noise, g->rows, white);
+        double a = next_coefficient(m, f, &high, random_unit(chain_key, (uint64_t)s), s == 0);
+        float keep = s ? (float)a : 0, fresh = sqrtf(1 - keep * keep);
+        for (int r = 0; r < g->rows; r++)
+            field[r] = (s ? keep * field[r] : 0) + fresh * white[r];
+        write_scores(g, &rows, field, rough, g->score + (size_t)s * (size_t)g->rows);
+        float *oldest = noise[0];
+        memmove(noise, noise + 1, (GRAIN_TAPS - 1) * sizeof *noise);
+        noise[GRAIN_TAPS - 1] = oldest;
+        fill_noise(t, noise_key, (uint64_t)(s + GRAIN_TAPS), g->rows + 2 * TAPS_HALF, oldest);
+    }
+}
+
+/* ---- pressure at the ends ---- */
+
+/* Darkness summed across the stroke by distance from its end, px at 300 dpi, as a share of its middle: the end where the
+ * hand starts and the end where it lifts (medians of 75 short strokes of one writer, w0054 of hdBPMN). */
+static const double where_px[] = {0, 1, 2, 3, 4, 6, 8, 10, 12};
+static const double starting[] = {.17, .59, .88, .91, .99, 1, 1, 1, 1};
+static const double leaving[] = {.17, .39, .52, .66, .70, .78, .86, .94, 1};
+/* Those strokes were about 40 px long; shorter ones set down and lift over proportionally shorter ways. */
+#define MEASURED_PX 40.0
+
+static double end_share(const double *table, double px)
+{
+    int n = (int)(sizeof where_px / sizeof *where_px), i = 0;
+    if (px >= where_px[n - 1])
+        return 1;
+    while (px >= where_px[i + 1])
+        i++;
+    double w = (px - where_px[i]) / (where_px[i + 1] - where_px[i]);
+    return table[i] + w * (table[i + 1] - table[i]);
+}
+
+static void make_pressure(grain *g, grain_ends ends)
+{
+    memset(g->pressure, 255, (size_t)g->columns);
+    if (ends == GRAIN_NO_ENDS)
+        return;
+    double stretch = g->columns < MEASURED_PX ? MEASURED_PX / g->columns : 1;
+    for (int s = 0; s < g->columns; s++) {
+        double from_start = (s + 0.5) * stretch, from_end = (g->columns - s - 0.5) * stretch;
+        if (from_start >= where_px[8] && from_end >= where_px[8])
+            continue;
+        bool forward = ends == GRAIN_FORWARD;
+        double share = end_share(starting, forward ? from_start : from_end) * end_share(leaving, forward ? from_end : from_start);
+        g->pressure[s] = (uint8_t)floor(255 * share + 0.5);
+    }
+}
+
+/* ---- 4: the darkness of a point ---- */
+
+static int darkness(const void *texture, double along, double across)
+{
+    const grain *g = texture;
+    double row = floor(across + 0.5) + g->rows / 2, place = (across * (double)g->place_per_px + 8) / PROFILE_SECTION_STEP;
+    if (!(along > -1 && along < g->columns + 1 && row >= 0 && row < g->rows && place >= 0 && place < GRAIN_MODE_PLACES - 1))
+        return 0;
+    int s = along < 0 ? 0 : along >= g->columns ? g->columns - 1 : (int)along; /* the last column may be a part of one */
+    int k = (int)place, w = (int)((place - k) * 256);
+    const uint8_t *level = g->level + (size_t)((s + GRAIN_KNOT / 2) / GRAIN_KNOT) * GRAIN_MODE_PLACES + k;
+    int m = ((level[0] * (256 - w) + level[1] * w) * (g->pressure[s] + 1) + (1 << 15)) >> 16;
+    int score = g->score[(size_t)s * (size_t)g->rows + (size_t)row];
+    float d = g->depth * g->pencil->grain->darkness[m > 255 ? 255 : m][(score + 128) >> 1];
+    return d > 255 ? 255 : (int)(d + 0.5f);
+}
+
+bool plb_grain_make(grain *g, double length_px, grain_ends ends, const pencil *p, uint64_t seed, uint64_t identity, error *err)
+{
+    const grain_model *m = &p->profile->grain;
+    if (!p->grain)
+        return plb_fail(err, ERROR_ARGUMENT, "the pencil '%s' was captured without its grain; --model hla draws with it", p->profile->name);
+    if (!(length_px <= COLUMNS_MAX))
+        return plb_fail(err, ERROR_LIMIT, "a stroke is too long");
+    line_figures f = draw_line(p, random_key(seed, identity, PURPOSE_LINE));
+    g->pencil = p;
+    g->depth = (float)(f.depth / GRAIN_RELATIVE_UNIT);
+    g->place_per_px = (float)(m->reference_width / f.width);
+    int half = (int)ceil(REACH / (double)g->place_per_px), columns = length_px < 1 ? 1 : (int)floor(length_px + 0.5);
+    if (!resize(g, columns, 2 * (half > HALF_ROWS_MAX ? HALF_ROWS_MAX : half) + 1, err))
+        return false;
+    if (!make_section(g, &f, random_key(seed, identity, PURPOSE_SLOW), err))
+        return false;
+    make_grain(g, &f, random_key(seed, identity, PURPOSE_GRAIN), random_key(seed, identity, PURPOSE_CHAIN));
+    make_pressure(g, ends);
+    return true;
+}
+
+shading plb_grain_shading(const grain *g, double dpi)
+{
+    shading r = {g, darkness, g->rows / 2 + 0.5, 0, dpi};
+    return r;
+}

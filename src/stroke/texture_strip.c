@@ -1,0 +1,31 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The papers' strip as a texture to map: greys, read between their pixels by bilinear interpolation. Half a pixel of its
+ * margin, into which the blur has run, and one more belong to the line's ends.
+ */
+#include "stroke/stroke.h"
+
+/* Darkness (255 - grey), 8 fractional bits, at a place in strip pixels; nothing outside. */
+static inline int read_strip(const strip *s, double x, double y)
+{
+    if (!(x >= 0 && y >= 0 && x < s->columns - 1 && y < s->rows - 1))
+        return 0;
+    int ix = (int)x, iy = (int)y;
+    int fx = (int)((x - ix) * 256), fy = (int)((y - iy) * 256);
+    const uint8_t *p = s->grey + (size_t)iy * (size_t)s->columns + ix, *q = p + s->columns;
+    int top = p[0] * (256 - fx) + p[1] * fx, bottom = q[0] * (256 - fx) + q[1] * fx;
+    return 255 * 256 - ((top * (256 - fy) + bottom * fy + 128) >> 8);
+}
+
+static int darkness(const void *texture, double along, double across)
+{
+    const strip *s = texture;
+    double x = along + STRIP_MARGIN - 0.5, y = across + (s->rows - 1) / 2.0; /* sample 0 is the middle of its pixel */
+    return (read_strip(s, x, y) + 128) >> 8;
+}
+
+shading plb_strip_shading(const strip *s, double dpi)
+{
+    shading r = {s, darkness, (s->rows - 1) / 2.0, STRIP_MARGIN - 0.5, dpi};
+    return r;
+}
