@@ -60,7 +60,7 @@ static line_strip make_strip(wanted w)
 
 static grain_model capture(const wanted lines[], size_t n, double width)
 {
-    line_strip strips[8];
+    line_strip strips[8] = {0};
     grain_model g;
     error err = {0};
     for (size_t i = 0; i < n; i++)
@@ -179,7 +179,7 @@ static void figures_of_a_known_line(void)
     CHECK_RANGE(g.reference_width, 5.8, 6.2);
     CHECK_RANGE(exp((double)g.line_mean[1]) / g.reference_width, 0.999, 1.001);
     CHECK_RANGE(g.line_mean[2], -0.1, 0.1); /* the scores are normal */
-    CHECK_RANGE(g.line_mean[3], 0.5, 0.6);  /* 0.5, times the gain of 1.1 */
+    CHECK_RANGE(g.line_mean[3], 0.44, 0.52); /* 0.5, less what the slow modes take (about 0.07), times the gain of 1.1 */
     CHECK_RANGE(g.line_mean[4], -0.05, 0.05);
     CHECK_RANGE(g.chain_high - g.chain_low, 0, 0.35);
     CHECK_RANGE(g.volatility, 0, 0.15);
@@ -267,11 +267,14 @@ static void seal(bytes *b)
         b->v[b->n - 4 + (size_t)i] = (unsigned char)(crc >> 8 * i);
 }
 
-/* The bytes of HB, and where its GRAI starts: at its tag. */
+/* HB without its matrix and text, so that the file is short, and where its GRAI starts: at its tag. */
 static bytes pencil(size_t *grain_at)
 {
     profile *p = plb_profile_read("HB", NULL);
     bytes b = {0};
+    memset(p->ccm, 0, PROFILE_GREYS * PROFILE_GREYS * sizeof *p->ccm);
+    p->ccm[0] = 1;
+    p->provenance[0] = '\0';
     b.v = plb_profile_serialise(p, &b.n, NULL);
     for (*grain_at = 0; *grain_at + 4 < b.n && memcmp(b.v + *grain_at, "GRAI", 4) != 0; ++*grain_at)
         ;
@@ -335,13 +338,14 @@ static void flipped_bits(void)
     int refused = 0, passed = 0;
     CHECK(loads(&b));
     for (size_t i = at + 8; i < at + 8 + GRAIN_SIZE; i++)
-        for (int bit = (int)(i % 3); bit < 8; bit += 3) {
+        for (int bit = (int)(i % 4); bit < 8; bit += 4) {
             b.v[i] ^= (unsigned char)(1 << bit);
             seal(&b);
             loads(&b) ? passed++ : refused++;
             b.v[i] ^= (unsigned char)(1 << bit);
         }
-    CHECK(passed > 1000 && refused > 1000);
+    CHECK_RANGE(passed, 1000, 1e9);
+    CHECK_RANGE(refused, 1000, 1e9);
     plb_free(b.v);
 }
 
