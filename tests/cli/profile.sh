@@ -37,12 +37,17 @@ refused() {
 }
 
 # ---- a second reader of the format, after pencil(5) alone: od and awk ----------------------------------------
-# Prints "centre MEDIAN", "pairs N", "cells N", "half PX", "tenth PX", "lines N", "columns N", "name NAME", "bounds A B C D".
+# Prints "centre MEDIAN", "pairs N", "cells N", "half PX", "tenth PX", "lines N", "columns N", "name NAME", "bounds A B C D",
+# "depth GREYS" of the grain.
 independent() {
     od -An -v -tu1 "$1" | tr -s ' \n' '\n\n' | awk '
     NF { b[n++] = $1 }
     function le(at, size,   v, i) { v = 0; for (i = size - 1; i >= 0; i--) v = v * 256 + b[at + i]; return v }
     function leb(   v, f) { v = 0; f = 1; while (b[at] >= 128) { v += (b[at++] - 128) * f; f *= 128 } v += b[at++] * f; return v }
+    function single(at,   u, e) {
+        u = le(at, 4); e = int(u / 8388608) % 256
+        return (u >= 2147483648 ? -1 : 1) * (1 + u % 8388608 / 8388608) * 2 ^ (e - 127)
+    }
     function die(why) { print "bad", why; bad = 1; exit }
     END {
         if (bad) exit
@@ -53,6 +58,7 @@ independent() {
             tag = sprintf("%c%c%c%c", b[at], b[at + 1], b[at + 2], b[at + 3]); size = le(at + 4, 4); at += 8; end = at + size
             if (tag == "NAME") { name = ""; for (i = at; i < end; i++) name = name sprintf("%c", b[i]); print "name", name }
             if (tag == "SCAN") { print "half", le(at + 4, 4) / 1000; print "tenth", le(at + 8, 4) / 1000; print "lines", le(at + 12, 4); print "columns", le(at + 16, 8) }
+            if (tag == "GRAI" && size == 6206) printf "depth %.1f\n", exp(single(at + 6 + 4 * (1 + 36 + 390 + 18 + 825 + 17 + 4 + 125 + 2)))
             if (tag == "BNDS") print "bounds", b[at], b[at + 1], b[at + 2], b[at + 3]
             if (tag == "HMID") {
                 total = sum = 0; for (i = 0; i < 256; i++) total += le(at + 4 * i, 4)
@@ -77,6 +83,7 @@ shown() {
     /^width at half/ { v = $7; sub(/\(/, "", v); print "half", v }
     /^width at a tenth/ { v = $9; sub(/\(/, "", v); print "tenth", v }
     /^measured on/ { print "lines", $3; print "columns", $5 }
+    /^  depth/ { print "depth", $2 }
     /^bounds/ { sub(/,/, "", $5); print "bounds", $3, $5, $8, $10 }
     /^centre +[0-9]/ { print "centre", $2 }
     /^co-occurrence/ { print "pairs", $2; print "cells", $5 }' | sort

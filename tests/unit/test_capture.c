@@ -259,6 +259,9 @@ static void resolution_only_scales(void)
     if (a && b) {
         CHECK_RANGE(b->width_half / a->width_half, 1.95, 2.05);
         CHECK_RANGE(plb_profile_centre(b) - plb_profile_centre(a), -2, 2);
+        CHECK(a->grain.present && b->grain.present); /* the grain is at 300 dpi whatever the scan */
+        CHECK_RANGE(b->grain.reference_width / a->grain.reference_width, 0.95, 1.05);
+        CHECK_RANGE(b->grain.line_mean[0] - a->grain.line_mean[0], -0.03, 0.03);
     }
     plb_profile_release(a);
     plb_profile_release(b);
@@ -476,6 +479,9 @@ static void width_stretches_only_the_section(void)
     CHECK(plain && wide);
     if (plain && wide) {
         CHECK_RANGE(wide->width_half / 300 * 25.4, 0.799, 0.801);
+        CHECK_RANGE(exp((double)wide->grain.line_mean[1]) / 300 * 25.4, 0.799, 0.801);
+        CHECK(wide->grain.reference_width == plain->grain.reference_width);
+        CHECK_RANGE(plain->grain.reference_width / plain->width_half, 0.93, 1.07);
         CHECK_RANGE(wide->width_tenth / plain->width_tenth / (wide->width_half / plain->width_half), 0.97, 1.03);
         CHECK(!memcmp(plain->range, wide->range, sizeof plain->range));
         CHECK(!memcmp(plain->ccm, wide->ccm, 65536 * sizeof *plain->ccm));
