@@ -219,7 +219,7 @@ static bool make_fine(map_room *room, size_t side)
 bool plb_strip_map(const shading *s, double dpi, const path_samples *path, bool closed, map_room *room, patch_sink sink, void *closure)
 {
     mapper m = {.s = s, .strip_px = s->dpi / dpi, .sink = sink, .closure = closure};
-    double n = ceil(m.strip_px - 0.01);
+    double n = floor(m.strip_px + 0.5); /* as dense as the texture, nearly */
     m.samples = n < 1 ? 1 : n > MOST_SAMPLES ? MOST_SAMPLES : (int)n;
     m.half_width = s->half_width / m.strip_px;
     m.stride = (size_t)(PATCH_SIDE * m.samples);
