@@ -51,12 +51,14 @@ bool plb_page_init(page *p, double width_px, double height_px, const graphite *i
     p->height = (int)h;
     p->ink = ink;
     p->deposit = plb_new((size_t)w * (size_t)h, sizeof *p->deposit);
-    return p->deposit || plb_fail(err, ERROR_MEMORY, "out of memory for a page of %.0f by %.0f pixels", w, h);
+    p->touched = plb_new((size_t)h, sizeof *p->touched);
+    return (p->deposit && p->touched) || plb_fail(err, ERROR_MEMORY, "out of memory for a page of %.0f by %.0f pixels", w, h);
 }
 
 void plb_page_free(page *p)
 {
     plb_free(p->deposit);
+    plb_free(p->touched);
     memset(p, 0, sizeof *p);
 }
 
@@ -67,6 +69,7 @@ void plb_page_lay(page *p, const patch *from)
     int y1 = from->y + from->height > p->height ? p->height - from->y : from->height;
     for (int y = y0; y < y1; y++) {
         const uint8_t *grey = from->grey + (size_t)y * (size_t)from->width;
+        p->touched[from->y + y] = true;
         uint16_t *to = p->deposit + (size_t)(from->y + y) * (size_t)p->width + from->x;
         for (int x = x0; x < x1; x++) {
             unsigned sum = to[x] + (unsigned)p->ink->deposit[grey[x]];

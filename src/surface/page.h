@@ -26,6 +26,7 @@ void plb_graphite_init(graphite *g, const profile *p);
 typedef struct {
     int width, height;   /* pixels */
     uint16_t *deposit;   /* row by row */
+    bool *touched;       /* per row: whether anything was laid there */
     const graphite *ink; /* borrowed */
 } page;
 

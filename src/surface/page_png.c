@@ -12,7 +12,7 @@
 #include <png.h>
 #include <string.h>
 
-#define COMPRESSION_LEVEL 3
+#define COMPRESSION_LEVEL 1
 
 typedef struct {
     error *err;
@@ -65,6 +65,10 @@ static void write_head(png_structp png, png_infop info, const page *p, const png
 /* Graphite of one grey, the darkest, more or less opaque: over white it looks as the opaque page does. */
 static void convert_row(const page *p, page_background background, int y, uint8_t *row)
 {
+    if (!p->touched[y]) {
+        memset(row, background == PAGE_WHITE ? 255 : 0, (size_t)p->width * (background == PAGE_WHITE ? 1 : 2));
+        return;
+    }
     const uint16_t *from = p->deposit + (size_t)y * (size_t)p->width;
     int darkest = p->ink->darkest, depth = 255 - darkest;
     for (int x = 0; x < p->width; x++) {
