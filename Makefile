@@ -36,6 +36,9 @@ CFLAGS_ALL = -std=c17 $(WARN) -fPIC -ffp-contract=off -fvisibility=hidden -MMD -
              -Isrc $(CFLAGS)
 LDFLAGS_ALL = $(filter -fsanitize=% --coverage,$(flags_$(BUILD))) $(LDFLAGS)
 
+# The inner loops of the texture are written for the compiler's vectors.
+CFLAGS_stroke = $(if $(filter release,$(BUILD)),-O3)
+
 layers   = base list profile input plan stroke surface api
 lib_src  = $(foreach d,$(layers),$(wildcard src/$(d)/*.c))
 lib_obj  = $(lib_src:src/%.c=$(O)/%.o)

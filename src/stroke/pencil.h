@@ -16,14 +16,15 @@
 #define GRAIN_KNOT 4          /* the section is worked out every so many columns */
 #define GRAIN_SMOOTH_KNOTS 6  /* the Gaussian along the line reaches three sigma to either side */
 #define GRAIN_NORMALS 4096    /* a normal number per 12 random bits */
+#define GRAIN_PLACES_PADDED 72 /* the modes' 65 places, up to a whole number of vectors */
 #define GRAIN_MAP 641         /* entries of the map from field to score, -8 to 8 */
 
 typedef struct {
     float normal[GRAIN_NORMALS];
     int8_t score[GRAIN_MAP];                 /* normal score of a field value, in 1/GRAIN_SCORE_UNIT */
     uint16_t darkness[256][128];             /* relative darkness by level and half the score's steps */
-    float section[GRAIN_MODE_PLACES];        /* mean section at the modes' places */
-    float mode[GRAIN_MODES][GRAIN_MODE_PLACES]; /* modes, faded where there is hardly any line */
+    float section[GRAIN_PLACES_PADDED];      /* mean section at the modes' places */
+    float mode[GRAIN_MODES][GRAIN_PLACES_PADDED]; /* modes, faded where there is hardly any line */
     float knot_keep[GRAIN_MODES];            /* of the slow process: correlation from knot to knot … */
     float knot_scale[GRAIN_MODES];           /* … and the factor that makes it as wide as captured */
     float smooth[2 * GRAIN_SMOOTH_KNOTS + 1];

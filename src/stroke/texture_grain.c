@@ -19,8 +19,11 @@
 /* No graphite farther from the centreline than this, in places of the profile. */
 #define REACH 7.0
 #define HALF_ROWS_MAX 40
-#define ROWS_MAX (2 * HALF_ROWS_MAX + 1)
 #define TAPS_HALF (GRAIN_TAPS / 2)
+/* Rows are worked on in blocks of so many, which the compiler keeps in vector registers. */
+#define BLOCK 8
+#define ROWS_MAX ((2 * HALF_ROWS_MAX + 1 + BLOCK - 1) / BLOCK * BLOCK)
+#define NOISE_MAX (ROWS_MAX + 2 * TAPS_HALF)
 /* Scores fade into the plain field where the expected darkness falls through these: they were captured on the line. */
 #define TAIL_LOW 0.05
 #define TAIL_SPAN 0.25
@@ -120,11 +123,11 @@ static void fill_levels(grain *g, const line_figures *f, const float *coefficien
 {
     const grain_tables *t = g->pencil->grain;
     for (size_t k = 0; k < knots; k++) {
-        float m[GRAIN_MODE_PLACES];
+        float m[GRAIN_PLACES_PADDED];
         memcpy(m, t->section, sizeof m);
         for (int i = 0; i < GRAIN_MODES; i++) {
             float a = (float)f->mode[i] + coefficient[(size_t)i * knots + k];
-            for (int j = 0; j < GRAIN_MODE_PLACES; j++)
+            for (int j = 0; j < GRAIN_PLACES_PADDED; j++)
                 m[j] += a * t->mode[i][j];
         }
         for (int j = 0; j < GRAIN_MODE_PLACES; j++) {
@@ -196,16 +199,27 @@ static double next_coefficient(const grain_model *g, const line_figures *f, bool
     return clamp((*high ? g->chain_high : g->chain_low) + f->along - g->line_mean[3], -0.3, 0.95);
 }
 
+/* Rows up to the next whole block: what lies beyond the strip's is never looked at. */
 static void filter_column(const float (*tap)[GRAIN_TAPS], float *const noise[GRAIN_TAPS], int rows, float *out)
 {
-    memset(out, 0, (size_t)rows * sizeof *out);
-    for (int i = 0; i < GRAIN_TAPS; i++)
-        for (int j = 0; j < GRAIN_TAPS; j++) {
-            float h = tap[i][j];
-            const float *e = noise[i] + j;
-            for (int r = 0; r < rows; r++)
-                out[r] += h * e[r];
-        }
+    for (int b = 0; b < rows; b += BLOCK) {
+        float sum[BLOCK] = {0};
+        for (int i = 0; i < GRAIN_TAPS; i++)
+            for (int j = 0; j < GRAIN_TAPS; j++) {
+                const float *e = noise[i] + b + j;
+                for (int r = 0; r < BLOCK; r++)
+                    sum[r] += tap[i][j] * e[r];
+            }
+        memcpy(out + b, sum, sizeof sum);
+    }
+}
+
+/* The next column of the chain. */
+static void join_column(float *field, const float *white, float keep, float fresh, int rows)
+{
+    for (int b = 0; b < rows; b += BLOCK)
+        for (int r = b; r < b + BLOCK; r++)
+            field[r] = keep * field[r] + fresh * white[r];
 }
 
 static void write_scores(const grain *g, const row_figures *rows, const float *field, float rough, int8_t *out)
@@ -225,7 +239,7 @@ static void make_grain(grain *g, const line_figures *f, uint64_t noise_key, uint
     const grain_model *m = &g->pencil->profile->grain;
     const grain_tables *t = g->pencil->grain;
     const float(*tap)[GRAIN_TAPS] = m->filter[(int)clamp(floor(f->across * 10 + 0.5), 0, GRAIN_CLASSES - 1)];
-    float room[GRAIN_TAPS][ROWS_MAX + 2 * TAPS_HALF], *noise[GRAIN_TAPS], white[ROWS_MAX], field[ROWS_MAX];
+    float room[GRAIN_TAPS][NOISE_MAX] = {{0}}, *noise[GRAIN_TAPS], white[ROWS_MAX], field[ROWS_MAX] = {0};
     row_figures rows = figures_of_rows(g);
     float rough = (float)exp(f->roughness);
     bool high = false;
@@ -237,8 +251,7 @@ static void make_grain(grain *g, const line_figures *f, uint64_t noise_key, uint
         filter_column(tap, noise, g->rows, white);
         double a = next_coefficient(m, f, &high, random_unit(chain_key, (uint64_t)s), s == 0);
         float keep = s ? (float)a : 0, fresh = sqrtf(1 - keep * keep);
-        for (int r = 0; r < g->rows; r++)
-            field[r] = (s ? keep * field[r] : 0) + fresh * white[r];
+        join_column(field, white, keep, fresh, g->rows);
         write_scores(g, &rows, field, rough, g->score + (size_t)s * (size_t)g->rows);
         float *oldest = noise[0];
         memmove(noise, noise + 1, (GRAIN_TAPS - 1) * sizeof *noise);
