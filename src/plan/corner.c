@@ -7,7 +7,10 @@
 /* Points first to last of `t` as a track of their own. */
 static bool send(const track *t, size_t first, size_t last, track *piece, track_sink sink, void *closure, error *err)
 {
+    size_t n = t->points.n;
     piece->points.n = 0;
+    piece->corner_first = t->closed || first > 0;
+    piece->corner_last = t->closed || last + 1 < n;
     if (!array_reserve(&piece->points, last - first + 1))
         return plb_fail_memory(err);
     for (size_t i = first; i <= last; i++) {
@@ -55,7 +58,7 @@ bool plb_plan_corners(const track *t, track_sink sink, void *closure, error *err
         k++;
     if (k == n) /* smooth all around: one closed stroke */
         return sink(closure, t);
-    track turned = {0};
+    track turned = {.closed = true};
     bool ok = rotate(t, k, &turned, err) && cut(&turned, sink, closure, err);
     array_free(&turned.points);
     return ok;

@@ -24,14 +24,6 @@ static double period_of(const item *it)
     return sum;
 }
 
-static double length_of(const track *t)
-{
-    double sum = 0;
-    for (size_t i = 1; i < t->points.n; i++)
-        sum += plb_point_distance(t->points.v[i - 1].at, t->points.v[i].at);
-    return sum;
-}
-
 /* A walk along the dash pattern. */
 typedef struct {
     const item *it;
@@ -120,7 +112,7 @@ bool plb_plan_dash(const item *it, const track *t, track_sink sink, void *closur
     bool has_gap = false;
     for (size_t k = 1; k < it->dash.n; k += 2)
         has_gap = has_gap || it->dash.v[k] > 0;
-    if (!has_gap || !(period >= SHORTEST_PERIOD_MM) || t->points.n < 2 || length_of(t) / period > MOST_DASHES)
+    if (!has_gap || !(period >= SHORTEST_PERIOD_MM) || t->points.n < 2 || plb_track_length(t) / period > MOST_DASHES)
         return sink(closure, t);
     pattern p = pattern_at(it, t->start + it->dash_offset, period);
     track dash = {0};

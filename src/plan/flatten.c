@@ -12,6 +12,7 @@ typedef struct {
     point start;         /* of the subpath */
     point first_tangent; /* leaving the start; zero until known */
     point last_tangent;  /* arriving at the last point */
+    bool close_all;
     track_sink sink;
     void *closure;
     error *err;
@@ -109,7 +110,7 @@ static bool add_curve(flattener *f, point c1, point c2, point to)
 static bool finish(flattener *f, bool close)
 {
     bool ok = true;
-    if (close && f->t.points.n)
+    if ((close || f->close_all) && f->t.points.n)
         ok = add_line(f, f->start);
     size_t n = f->t.points.n;
     f->t.closed = n > 2 && plb_point_distance(f->t.points.v[0].at, f->t.points.v[n - 1].at) < SAME_POINT_MM;
@@ -130,9 +131,17 @@ static bool begin(flattener *f, point at)
     return add_point(f, at);
 }
 
-bool plb_plan_flatten(const path *p, track_sink sink, void *closure, error *err)
+double plb_track_length(const track *t)
 {
-    flattener f = {.sink = sink, .closure = closure, .err = err};
+    double sum = 0;
+    for (size_t i = 1; i < t->points.n; i++)
+        sum += plb_point_distance(t->points.v[i - 1].at, t->points.v[i].at);
+    return sum;
+}
+
+bool plb_plan_flatten(const path *p, bool close, track_sink sink, void *closure, error *err)
+{
+    flattener f = {.close_all = close, .sink = sink, .closure = closure, .err = err};
     const point *at = p->points.v;
     bool ok = true;
     for (size_t i = 0; ok && i < p->ops.n; i++) {

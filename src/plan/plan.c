@@ -83,23 +83,15 @@ static bool identify(identity_set *given, const track *t, uint64_t *identity)
     return true;
 }
 
-static double length_of(const track *t)
-{
-    double sum = 0;
-    for (size_t i = 1; i < t->points.n; i++)
-        sum += plb_point_distance(t->points.v[i - 1].at, t->points.v[i].at);
-    return sum;
-}
-
 static bool add_stroke(void *closure, const track *t)
 {
     planner *p = closure;
     stroke_list *out = p->out;
-    if (t->points.n < 2 || length_of(t) < SHORTEST_STROKE_MM)
+    if (t->points.n < 2 || plb_track_length(t) < SHORTEST_STROKE_MM)
         return true;
     if (out->strokes.n >= PLAN_MAX_STROKES || t->points.n > PLAN_MAX_POINTS - out->points.n)
         return plb_fail(p->err, ERROR_LIMIT, "the drawing has more than %u strokes or %u points", PLAN_MAX_STROKES, PLAN_MAX_POINTS);
-    stroke s = {.first = out->points.n, .n = t->points.n, .closed = t->closed};
+    stroke s = {.first = out->points.n, .n = t->points.n, .closed = t->closed, .corner_first = t->corner_first, .corner_last = t->corner_last};
     if (!identify(&p->given, t, &s.identity) || !array_reserve(&out->points, t->points.n) || !array_push(&out->strokes, s))
         return plb_fail_memory(p->err);
     for (size_t i = 0; i < t->points.n; i++)
@@ -163,7 +155,7 @@ bool plb_plan(const display_list *list, const messenger *say, stroke_list *out, 
     for (size_t i = 0; ok && i < list->items.n; i++)
         if (is_wanted(list, i)) {
             p.it = &list->items.v[i];
-            ok = plb_plan_flatten(&p.it->path, after_flatten, &p, err);
+            ok = plb_plan_flatten(&p.it->path, p.it->kind == ITEM_FILL, after_flatten, &p, err);
         }
     if (ok)
         plb_say(say, MESSAGE_DETAIL, "%zu items make %zu strokes", list->items.n, out->strokes.n);

@@ -119,7 +119,7 @@ region *plb_region_new(const path *p, bool even_odd, error *err)
     }
     r->even_odd = even_odd;
     r->bounds = BOX_EMPTY;
-    if (!plb_plan_flatten(p, add_edges, r, err) || !sort_into_bands(r)) {
+    if (!plb_plan_flatten(p, false, add_edges, r, err) || !sort_into_bands(r)) {
         plb_fail_memory(err);
         plb_region_free(r);
         return NULL;
@@ -202,8 +202,10 @@ bool plb_region_cross(const region *r, point from, point to, crossings *at)
             if (det == 0)
                 continue;
             double t = point_cross(w, s) / det, u = point_cross(w, d) / det;
-            bool meets = t > 0 && t < 1 && u >= 0 && u <= 1 && band_of(r, from.y + t * d.y) == k; /* once, not in every band */
-            if (meets && !array_push(at, t))
+            size_t edge_low, edge_high, segment_low = band_of(r, low);
+            band_range(r, e, &edge_low, &edge_high);
+            bool first = k == (edge_low > segment_low ? edge_low : segment_low); /* counted once, not in every band */
+            if (first && t > 0 && t < 1 && u >= 0 && u <= 1 && !array_push(at, t))
                 return false;
         }
     return true;

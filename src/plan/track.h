@@ -22,6 +22,7 @@ typedef struct {
 typedef struct {
     ARRAY(track_point) points; /* no two neighbours equal; of a closed track, first and last are the same point */
     bool closed;
+    bool corner_first, corner_last; /* an end where another stroke goes on round a corner */
     double start; /* arc length from the subpath's beginning to the first point, mm: where its dashes stand */
 } track;
 
@@ -37,8 +38,10 @@ typedef bool (*track_sink)(void *closure, const track *t);
 /* Points closer than this are one. */
 #define SAME_POINT_MM 1e-5
 
-/* flatten.c: subpaths of `p` as tracks, with corners marked. A subpath without length becomes a track of one point. */
-bool plb_plan_flatten(const path *p, track_sink sink, void *closure, error *err);
+/* flatten.c: subpaths of `p` as tracks, with corners marked; `close` closes open ones, as a fill does. A subpath without
+ * length becomes a track of one point. */
+bool plb_plan_flatten(const path *p, bool close, track_sink sink, void *closure, error *err);
+double plb_track_length(const track *t);
 
 /* clip.c: the parts of tracks inside a clip chain and the page. */
 typedef struct clipper clipper;

@@ -24,6 +24,9 @@ static const double median_percent[HAND_MODES] = {.56, .22, .14, .095, .066, .04
  * 2.2 times the median). */
 #define LARGEST_OF_MEDIAN 2.2
 
+/* The longest lines measured: beyond, a draughtsman moves the arm on, and strays no farther. */
+#define LONGEST_MEASURED_MM 250.0
+
 /* Normal, by the sum of twelve uniform numbers' bytes: smooth enough for amplitudes, the same on every machine. */
 static double normal(uint64_t key, uint64_t index)
 {
@@ -39,22 +42,24 @@ hand plb_hand(double length, bool closed, uint64_t identity, const stroke_option
     uint64_t key = random_key(o->seed, identity, PURPOSE_HAND);
     double papers_own = 5 * MM_PER_PAPER_PX; /* a --squiggle of the default leaves the hand as it was measured */
     double strength = o->squiggle < 0 ? 1 : o->squiggle / papers_own;
+    double reach = length < LONGEST_MEASURED_MM ? length : LONGEST_MEASURED_MM;
     for (int k = 0; k < HAND_MODES; k++) {
-        double wave = closed ? length / (k / 2 + 1) : 2 * length / (k + 1), limit = LARGEST_OF_MEDIAN * MEDIAN_OF_NORMAL;
+        double wave = closed ? length / (k / 2 + 2) : 2 * length / (k + 1), limit = LARGEST_OF_MEDIAN * MEDIAN_OF_NORMAL;
         double x = normal(key, (uint64_t)k);
         x = x > limit ? limit : x < -limit ? -limit : x;
         if (wave >= SMOOTH_BELOW_MM || k == 0)
-            h.amplitude[k] = strength * x * median_percent[k] / MEDIAN_OF_NORMAL / 100 * length;
+            h.amplitude[k] = strength * x * median_percent[k] / MEDIAN_OF_NORMAL / 100 * reach;
     }
     return h;
 }
 
-/* An open line keeps its ends; a closed one runs on across its joint (modes in pairs of cosine and sine). */
+/* An open line keeps its ends; a closed one runs on across its joint: modes in pairs of cosine and sine, from the second
+ * harmonic on, since the first would only move a circle. */
 double plb_hand_off(const hand *h, double along)
 {
     double x = along / h->length * PLB_PI, sum = 0;
     for (int k = 0; k < HAND_MODES; k++)
         if (h->amplitude[k] != 0)
-            sum += h->amplitude[k] * (!h->closed ? sin((k + 1) * x) : k & 1 ? sin((k / 2 + 1) * 2 * x) : cos((k / 2 + 1) * 2 * x));
+            sum += h->amplitude[k] * (!h->closed ? sin((k + 1) * x) : k & 1 ? sin((k / 2 + 2) * 2 * x) : cos((k / 2 + 2) * 2 * x));
     return sum;
 }

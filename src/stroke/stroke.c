@@ -29,18 +29,23 @@ bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint6
     return true;
 }
 
-/* A hand starts at the left or top end (as the short strokes measured were taken to be drawn). */
-static grain_ends ends_of(const path_samples *path, bool closed)
+/* A hand starts at the left or top end (as the short strokes measured were taken to be drawn), and lifts only where the
+ * line ends, not at a corner. */
+static grain_ends ends_of(const path_samples *path, const stroke *s)
 {
     point way = point_sub(path->v[path->n - 1].at, path->v[0].at);
-    return closed ? GRAIN_NO_ENDS : way.x + way.y >= 0 ? GRAIN_FORWARD : GRAIN_BACKWARD;
+    bool forward = way.x + way.y >= 0;
+    grain_end free_first = forward ? GRAIN_START : GRAIN_LEAVE, free_last = forward ? GRAIN_LEAVE : GRAIN_START;
+    if (s->closed)
+        return (grain_ends){GRAIN_JOINT, GRAIN_JOINT};
+    return (grain_ends){s->corner_first ? GRAIN_CORNER : free_first, s->corner_last ? GRAIN_CORNER : free_last};
 }
 
 bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, patch_sink sink,
                      void *closure, error *err)
 {
     path_samples *path = &scratch->path;
-    double dpi = o->pencil->profile->dpi;
+    double dpi = o->model == MODEL_GRAPHITE ? PAPER_PX_PER_INCH : o->pencil->profile->dpi; /* a grain is always at 300 dpi */
     if (!plb_path_sample(list, s, o, path, err))
         return false;
     if (path->n < 2)
@@ -48,7 +53,7 @@ bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_opti
     double length_px = path->v[path->n - 1].along / MM_PER_INCH * dpi;
     shading texture;
     if (o->model == MODEL_GRAPHITE) {
-        if (!plb_grain_make(&scratch->grain, length_px, ends_of(path, s->closed), o->pencil, o->seed, s->identity, err))
+        if (!plb_grain_make(&scratch->grain, length_px, ends_of(path, s), o->pencil, o->seed, s->identity, err))
             return false;
         texture = plb_grain_shading(&scratch->grain, dpi);
     } else {

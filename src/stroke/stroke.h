@@ -126,14 +126,20 @@ typedef struct {
     uint8_t *pressure;       /* [column], of 255 */
     size_t score_room, level_room, pressure_room;
     float depth;             /* 255 - grey of the line's middle */
-    float place_per_px;      /* places of the profile per px across */
+    float narrow;            /* px at the pencil's mean width per px across: this line's own width */
+    float half_width, half_reference; /* half the mean width and half the profile's, px: inside places stretch, outside not */
+    float cap_first, cap_last; /* radius of the round caps at corners, px; 0: none */
 } grain;
 void plb_grain_free(grain *g);
 
-/* Where the hand starts and where it lifts. */
-typedef enum { GRAIN_NO_ENDS, GRAIN_FORWARD, GRAIN_BACKWARD } grain_ends;
+/* What happens at the two ends of a stroke: the pencil is set down, lifted, goes on round a corner, or meets its own
+ * beginning (both ends of a closed stroke). */
+typedef enum { GRAIN_START, GRAIN_LEAVE, GRAIN_CORNER, GRAIN_JOINT } grain_end;
+typedef struct {
+    grain_end first, last;
+} grain_ends;
 
-/* Fills `g` for a stroke of `length_px`. Needs a profile with a grain. */
+/* Fills `g` for a stroke of `length_px` (of 1/300 inch, as the whole grain is). Needs a profile with a grain. */
 bool plb_grain_make(grain *g, double length_px, grain_ends ends, const pencil *p, uint64_t seed, uint64_t identity, error *err);
 shading plb_grain_shading(const grain *g, double dpi);
 

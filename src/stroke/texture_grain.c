@@ -83,20 +83,45 @@ static double clamp(double v, double low, double high)
     return v < low ? low : v > high ? high : v;
 }
 
+/* How far lines of one pencil differ is known from few lines, in a graded pencil from two to nine: depth and width keep
+ * within what a drawing by one hand shows (chosen by eye). */
+#define DEPTH_SPREAD 0.25
+#define WIDTH_SPREAD 0.18
+
 static line_figures draw_line(const pencil *p, uint64_t key)
 {
     const grain_model *g = &p->profile->grain;
     double x[GRAIN_LINE], n[GRAIN_LINE];
     for (int i = 0; i < GRAIN_LINE; i++) {
         n[i] = normal_at(p->grain, key, (uint64_t)i);
-        x[i] = g->line_mean[i];
+        x[i] = 0;
         for (int j = 0; j <= i; j++)
             x[i] += g->line_factor[i][j] * n[j];
+        double spread = i == 0 ? DEPTH_SPREAD : i == 1 ? WIDTH_SPREAD : HUGE_VAL;
+        x[i] = g->line_mean[i] + clamp(x[i], -spread, spread);
     }
     line_figures f = {clamp(exp(x[0]), 1, 254), clamp(exp(x[1]), 0.5, 200), x[2], x[3], x[4], {0}};
     for (int i = 0; i < GRAIN_MODES; i++)
         f.mode[i] = g->mode_is_odd[i] ? sqrt(g->mode_between[i]) * normal_at(p->grain, key, (uint64_t)(GRAIN_LINE + i)) : x[5 + i];
     return f;
+}
+
+/* ---- places ---- */
+
+/* The profile's place, px, of a point `across` px from the centreline. A line's own width stretches the whole section; the
+ * width that a pencil was assigned stretches its core only: flanks and the dust beside them stay as steep as scanned. */
+static double place_of(const grain *g, double across)
+{
+    double x = fabs(across) * (double)g->narrow, core = (double)g->half_width;
+    double place = x <= core ? x * (double)g->half_reference / core : (double)g->half_reference + x - core;
+    return across < 0 ? -place : place;
+}
+
+static int rows_of(const grain *g)
+{
+    double reach = REACH > (double)g->half_reference ? (double)g->half_width + REACH - (double)g->half_reference : (double)g->half_width;
+    int half = (int)ceil(reach / (double)g->narrow);
+    return 2 * (half < 1 ? 1 : half > HALF_ROWS_MAX ? HALF_ROWS_MAX : half) + 1;
 }
 
 /* ---- 2: the section along the line ---- */
@@ -172,7 +197,7 @@ static row_figures figures_of_rows(const grain *g)
     const grain_model *m = &g->pencil->profile->grain;
     row_figures r;
     for (int k = 0; k < g->rows; k++) {
-        double place = fabs((double)(k - g->rows / 2)) * (double)g->place_per_px;
+        double place = fabs(place_of(g, k - g->rows / 2));
         double f = at_place(m->section, GRAIN_SECTION, place / PROFILE_SECTION_STEP - 0.5);
         double tz = at_place(m->place_scale, GRAIN_PLACES, place / 0.5 - 0.5);
         r.place_scale[k] = (float)((1 + (tz - 1) * clamp((f - 0.4) / 0.4, 0, 1)) * GRAIN_SCORE_UNIT);
@@ -281,32 +306,78 @@ static double end_share(const double *table, double px)
     return table[i] + w * (table[i + 1] - table[i]);
 }
 
+static double share_of(grain_end end, double px)
+{
+    return end == GRAIN_START ? end_share(starting, px) : end == GRAIN_LEAVE ? end_share(leaving, px) : 1;
+}
+
 static void make_pressure(grain *g, grain_ends ends)
 {
+    double stretch = g->columns < MEASURED_PX ? MEASURED_PX / g->columns : 1, faded = where_px[8];
     memset(g->pressure, 255, (size_t)g->columns);
-    if (ends == GRAIN_NO_ENDS)
-        return;
-    double stretch = g->columns < MEASURED_PX ? MEASURED_PX / g->columns : 1;
     for (int s = 0; s < g->columns; s++) {
-        double from_start = (s + 0.5) * stretch, from_end = (g->columns - s - 0.5) * stretch;
-        if (from_start >= where_px[8] && from_end >= where_px[8])
-            continue;
-        bool forward = ends == GRAIN_FORWARD;
-        double share = end_share(starting, forward ? from_start : from_end) * end_share(leaving, forward ? from_end : from_start);
-        g->pressure[s] = (uint8_t)floor(255 * share + 0.5);
+        double from_first = (s + 0.5) * stretch, from_last = (g->columns - s - 0.5) * stretch;
+        if (from_first < faded || from_last < faded)
+            g->pressure[s] = (uint8_t)floor(255 * share_of(ends.first, from_first) * share_of(ends.last, from_last) + 0.5);
     }
+}
+
+/* ---- the joint of closed strokes ---- */
+
+/* So many columns, a whole number of knots, go over into those before the beginning. */
+static int fold_of(int columns, grain_ends ends)
+{
+    int fold = columns / 2 / GRAIN_KNOT * GRAIN_KNOT;
+    return ends.first != GRAIN_JOINT ? 0 : fold < 64 ? fold : 64;
+}
+
+/* `g` was made `fold` columns too long. Its first ones lead up to the beginning; its last ones fade over into them: scores
+ * with weights whose squares sum to 1, levels with weights that do. */
+static void fold_joint(grain *g, int fold)
+{
+    size_t rows = (size_t)g->rows, n = (size_t)(g->columns - fold), places = GRAIN_MODE_PLACES;
+    for (size_t i = 0; i < (size_t)fold; i++) {
+        double w = ((double)i + 0.5) / fold, keep = sqrt(1 - w), join = sqrt(w);
+        int8_t *late = g->score + (n + i) * rows, *early = g->score + i * rows;
+        for (size_t r = 0; r < rows; r++)
+            late[r] = (int8_t)floor(clamp(keep * late[r] + join * early[r], -127, 127) + 0.5);
+    }
+    memmove(g->score, g->score + (size_t)fold * rows, n * rows);
+    size_t folded = (size_t)fold / GRAIN_KNOT, knots = n / GRAIN_KNOT;
+    for (size_t j = 0; j < folded; j++) {
+        double w = ((double)j + 0.5) / (double)folded;
+        uint8_t *late = g->level + (knots + j) * places, *early = g->level + j * places;
+        for (size_t k = 0; k < places; k++)
+            late[k] = (uint8_t)floor((1 - w) * late[k] + w * early[k] + 0.5);
+    }
+    memmove(g->level, g->level + folded * places, knots * places);
+    for (size_t j = knots; j < knots_of((int)n); j++)
+        memcpy(g->level + j * places, g->level, places);
+    g->columns = (int)n;
 }
 
 /* ---- 4: the darkness of a point ---- */
 
+/* Beyond an end that is a corner the line goes on as a half disc. True when there is something; moves both coordinates. */
+static bool enter_cap(const grain *g, double *along, double *across)
+{
+    double out = *along < 0 ? -*along : *along - g->columns;
+    double radius = (double)(*along < 0 ? g->cap_first : g->cap_last);
+    if (out > radius)
+        return *along >= g->columns && out <= 1; /* the last column may be a part of one */
+    *across = *across < 0 ? -hypot(*across, out) : hypot(*across, out);
+    return true;
+}
+
 static int darkness(const void *texture, double along, double across)
 {
     const grain *g = texture;
-    double row = floor(across + 0.5) + g->rows / 2, place = (across * (double)g->place_per_px + 8) / PROFILE_SECTION_STEP;
-    if (!(along > -1 && along < g->columns + 1 && row >= 0 && row < g->rows && place >= 0 && place < GRAIN_MODE_PLACES - 1))
+    if ((along < 0 || along >= g->columns) && !enter_cap(g, &along, &across))
         return 0;
-    int s = along < 0 ? 0 : along >= g->columns ? g->columns - 1 : (int)along; /* the last column may be a part of one */
-    int k = (int)place, w = (int)((place - k) * 256);
+    double row = floor(across + 0.5) + g->rows / 2, place = (place_of(g, across) + 8) / PROFILE_SECTION_STEP;
+    if (!(row >= 0 && row < g->rows && place >= 0 && place < GRAIN_MODE_PLACES - 1))
+        return 0;
+    int s = along < 0 ? 0 : along >= g->columns ? g->columns - 1 : (int)along, k = (int)place, w = (int)((place - k) * 256);
     const uint8_t *level = g->level + (size_t)((s + GRAIN_KNOT / 2) / GRAIN_KNOT) * GRAIN_MODE_PLACES + k;
     int m = ((level[0] * (256 - w) + level[1] * w) * (g->pressure[s] + 1) + (1 << 15)) >> 16;
     int score = g->score[(size_t)s * (size_t)g->rows + (size_t)row];
@@ -314,29 +385,41 @@ static int darkness(const void *texture, double along, double across)
     return d > 255 ? 255 : (int)(d + 0.5f);
 }
 
+/* The line's own figures, and what follows from them for its places. */
+static void set_line(grain *g, const line_figures *f, grain_ends ends)
+{
+    const grain_model *m = &g->pencil->profile->grain;
+    double mean_width = clamp(exp(m->line_mean[1]), 0.5, 200);
+    g->depth = (float)(f->depth / GRAIN_RELATIVE_UNIT);
+    g->narrow = (float)(mean_width / f->width);
+    g->half_width = (float)(mean_width / 2);
+    g->half_reference = m->reference_width / 2;
+    g->cap_first = ends.first == GRAIN_CORNER ? (float)(f->width / 2) : 0;
+    g->cap_last = ends.last == GRAIN_CORNER ? (float)(f->width / 2) : 0;
+}
+
 bool plb_grain_make(grain *g, double length_px, grain_ends ends, const pencil *p, uint64_t seed, uint64_t identity, error *err)
 {
-    const grain_model *m = &p->profile->grain;
     if (!p->grain)
         return plb_fail(err, ERROR_ARGUMENT, "the pencil '%s' was captured without its grain; --model hla draws with it", p->profile->name);
     if (!(length_px <= COLUMNS_MAX))
         return plb_fail(err, ERROR_LIMIT, "a stroke is too long");
     line_figures f = draw_line(p, random_key(seed, identity, PURPOSE_LINE));
     g->pencil = p;
-    g->depth = (float)(f.depth / GRAIN_RELATIVE_UNIT);
-    g->place_per_px = (float)(m->reference_width / f.width);
-    int half = (int)ceil(REACH / (double)g->place_per_px), columns = length_px < 1 ? 1 : (int)floor(length_px + 0.5);
-    if (!resize(g, columns, 2 * (half > HALF_ROWS_MAX ? HALF_ROWS_MAX : half) + 1, err))
-        return false;
-    if (!make_section(g, &f, random_key(seed, identity, PURPOSE_SLOW), err))
+    set_line(g, &f, ends);
+    int columns = length_px < 1 ? 1 : (int)floor(length_px + 0.5), fold = fold_of(columns, ends);
+    if (!resize(g, columns + fold, rows_of(g), err) || !make_section(g, &f, random_key(seed, identity, PURPOSE_SLOW), err))
         return false;
     make_grain(g, &f, random_key(seed, identity, PURPOSE_GRAIN), random_key(seed, identity, PURPOSE_CHAIN));
+    if (fold)
+        fold_joint(g, fold);
     make_pressure(g, ends);
     return true;
 }
 
 shading plb_grain_shading(const grain *g, double dpi)
 {
-    shading r = {g, darkness, g->rows / 2 + 0.5, 0, dpi};
+    double beyond = (double)(g->cap_first > g->cap_last ? g->cap_first : g->cap_last);
+    shading r = {g, darkness, g->rows / 2 + 0.5, beyond, dpi};
     return r;
 }

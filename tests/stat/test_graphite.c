@@ -11,6 +11,8 @@
 #include "stat/pencil_for_tests.h"
 #include "stroke/pencil.h"
 
+static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT}, FORWARD = {GRAIN_START, GRAIN_LEAVE}, BACKWARD = {GRAIN_LEAVE, GRAIN_START};
+
 #define DEPTH 90.0
 #define WIDTH 6.0
 
@@ -124,7 +126,7 @@ static void the_section_comes_out(void)
     for (double u = -6; u <= 6; u += 1.5) {
         double sum = 0, n = 0, want = DEPTH * exp(-log(2) * u * u / 9);
         for (uint64_t id = 1; id <= 40; id++) {
-            CHECK(plb_grain_make(&s.grain, 400, GRAIN_NO_ENDS, s.pencil, 1, id, NULL));
+            CHECK(plb_grain_make(&s.grain, 400, NO_ENDS, s.pencil, 1, id, NULL));
             for (int x = 0; x < 400; x++, n++)
                 sum += sample(&s.grain, x + 0.5, u);
         }
@@ -139,7 +141,7 @@ static void the_grain_has_its_spread_and_correlation(void)
     setup s = prepare();
     double sum = 0, squares = 0, next = 0, beside = 0, n = 0;
     for (uint64_t id = 1; id <= 60; id++) {
-        CHECK(plb_grain_make(&s.grain, 500, GRAIN_NO_ENDS, s.pencil, 1, id, NULL));
+        CHECK(plb_grain_make(&s.grain, 500, NO_ENDS, s.pencil, 1, id, NULL));
         for (int x = 0; x < 499; x++, n++) {
             double a = sample(&s.grain, x + 0.5, 0) - DEPTH, b = sample(&s.grain, x + 1.5, 0) - DEPTH, c = sample(&s.grain, x + 0.5, 1) - DEPTH * exp(-log(2) / 9);
             sum += a;
@@ -185,8 +187,8 @@ static void ends_fade_as_measured(void)
     static const double leaving[13] = {.17, .39, .52, .66, .68, .73, .78, .82, .86, .91, .96, .95, .93};
     setup s = prepare();
     double start[13], leave[13], other_start[13], other_leave[13];
-    share_at_ends(&s, GRAIN_FORWARD, start, leave);
-    share_at_ends(&s, GRAIN_BACKWARD, other_start, other_leave);
+    share_at_ends(&s, FORWARD, start, leave);
+    share_at_ends(&s, BACKWARD, other_start, other_leave);
     for (int k = 0; k < 12; k++) {
         CHECK_RANGE(start[k] - (starting[k] + starting[k + 1]) / 2, -0.1, 0.1);
         CHECK_RANGE(leave[k] - (leaving[k] + leaving[k + 1]) / 2, -0.1, 0.1);
@@ -200,11 +202,11 @@ static void no_two_strokes_are_alike(void)
 {
     setup s = prepare();
     double first[300], ab = 0, aa = 0;
-    CHECK(plb_grain_make(&s.grain, 300, GRAIN_NO_ENDS, s.pencil, 1, 1, NULL));
+    CHECK(plb_grain_make(&s.grain, 300, NO_ENDS, s.pencil, 1, 1, NULL));
     for (int x = 0; x < 300; x++)
         first[x] = sample(&s.grain, x + 0.5, 0) - DEPTH;
     for (uint64_t id = 2; id <= 60; id++) {
-        CHECK(plb_grain_make(&s.grain, 300, GRAIN_NO_ENDS, s.pencil, 1, id, NULL));
+        CHECK(plb_grain_make(&s.grain, 300, NO_ENDS, s.pencil, 1, id, NULL));
         for (int x = 0; x < 300; x++) {
             ab += first[x] * (sample(&s.grain, x + 0.5, 0) - DEPTH);
             aa += first[x] * first[x];
@@ -219,13 +221,13 @@ static void extreme_strokes_are_bounded(void)
     setup s = prepare();
     static const double lengths[] = {0, 1e-9, 0.4, 1, 2, 3, 100000};
     for (size_t i = 0; i < sizeof lengths / sizeof *lengths; i++)
-        CHECK(plb_grain_make(&s.grain, lengths[i], GRAIN_FORWARD, s.pencil, 1, i + 1, NULL));
+        CHECK(plb_grain_make(&s.grain, lengths[i], FORWARD, s.pencil, 1, i + 1, NULL));
     error err = {ERROR_NONE, ""};
-    CHECK(!plb_grain_make(&s.grain, 1e12, GRAIN_FORWARD, s.pencil, 1, 1, &err) && err.kind == ERROR_LIMIT);
+    CHECK(!plb_grain_make(&s.grain, 1e12, FORWARD, s.pencil, 1, 1, &err) && err.kind == ERROR_LIMIT);
     for (int i = 0; i < GRAIN_LINE; i++)
         s.profile->grain.line_factor[i][i] = 50; /* wild figures stay in bounds */
     for (uint64_t id = 1; id < 200; id++) {
-        CHECK(plb_grain_make(&s.grain, 50, GRAIN_FORWARD, s.pencil, 1, id, NULL));
+        CHECK(plb_grain_make(&s.grain, 50, FORWARD, s.pencil, 1, id, NULL));
         for (double u = -60; u < 60; u += 7)
             CHECK_RANGE(sample(&s.grain, 25, u), 0, 255);
     }

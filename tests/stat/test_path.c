@@ -97,7 +97,7 @@ static void squiggle_keeps_its_limits(void)
 static void squiggle_zero_is_ruler_straight(void)
 {
     point ends[2] = {{10, 20}, {70, 95}};
-    stroke s = {42, 0, 2, false};
+    stroke s = {.identity = 42, .n = 2};
     stroke_list list = {.width = 100, .height = 100, .strokes = {&s, 1, 1}, .points = {ends, 2, 2}};
     stroke_options o = options_for(3);
     o.squiggle = 0;
@@ -152,7 +152,7 @@ static void parallel_lines_differ(void)
     for (int i = 0; i < LINES; i++) {
         ends[2 * i] = (point){10, 5 + 2.0 * i};
         ends[2 * i + 1] = (point){190, 5 + 2.0 * i};
-        strokes[i] = (stroke){random_mix((uint64_t)i + 1), 2 * (size_t)i, 2, false};
+        strokes[i] = (stroke){.identity = random_mix((uint64_t)i + 1), .first = 2 * (size_t)i, .n = 2};
     }
     stroke_list list = {.strokes = {strokes, LINES, LINES}, .points = {ends, 2 * LINES, 2 * LINES}};
     for (int i = 0; i < LINES; i++)
@@ -166,7 +166,7 @@ static void ends_stay_where_the_drawing_has_them(void)
 {
     for (uint64_t seed = 1; seed <= 200; seed++) {
         point ends[2] = {{3, 4}, {3 + (double)seed, 50}};
-        stroke s = {seed, 0, 2, false};
+        stroke s = {.identity = seed, .n = 2};
         stroke_list list = {.strokes = {&s, 1, 1}, .points = {ends, 2, 2}};
         stroke_options o = options_for(seed);
         path_samples path = {0};
