@@ -53,6 +53,12 @@ tests_bin = $(c_tests:tests/%.c=$(O)/tests/%) $(c_tools:tests/%.c=$(O)/tests/%)
 .PHONY: all
 all: $(programs) $(O)/libplumbago.a
 
+# The helper's installed place is compiled into one object: it is made again when PREFIX changes.
+$(O)/prefix: FORCE
+	@mkdir -p $(@D) && echo '$(PREFIX)' | cmp -s - $@ || echo '$(PREFIX)' > $@
+FORCE:
+$(O)/input/process.o: $(O)/prefix
+
 $(O)/%.o: src/%.c
 	$(say) CC $<
 	@mkdir -p $(@D)
@@ -62,7 +68,7 @@ $(O)/%.o: src/%.c
 $(O)/pencils.o: $(pencils)
 	$(say) LD $@
 	@mkdir -p $(@D)
-	$(Q)cd profiles && ld -r -b binary -z noexecstack -o $(CURDIR)/$@ $(sort $(notdir $(pencils)))
+	$(Q)cd profiles && ld -r -b binary -z noexecstack -o "$(CURDIR)/$@" $(sort $(notdir $(pencils)))
 
 $(O)/libplumbago.a: $(lib_obj) $(O)/pencils.o
 	$(say) AR $@
@@ -115,7 +121,7 @@ demo-pictures: all
 
 # ---- packages (Debian) ------------------------------------------------------------------------------------
 packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev libxml2-dev fonts-dejavu-core
-packages_tests = librsvg2-bin ghostscript poppler-utils clang mandoc strace locales unzip
+packages_tests = librsvg2-bin ghostscript poppler-utils clang g++ mandoc strace locales unzip
 
 .PHONY: packages packages-check
 packages:
@@ -146,22 +152,24 @@ $(O)/examples/%: examples/%.c $(O)/libplumbago.a
 manuals = $(wildcard man/*.[1-9])
 
 .PHONY: install uninstall
+dest = $(DESTDIR)$(PREFIX)
 install: all
-	install -d $(DESTDIR)$(PREFIX)/bin $(DESTDIR)$(PREFIX)/libexec/plumbago $(DESTDIR)$(PREFIX)/include $(DESTDIR)$(PREFIX)/lib/pkgconfig
-	install $(O)/plumbago $(O)/plumbago-profile $(DESTDIR)$(PREFIX)/bin
-	install $(O)/tap-svg $(DESTDIR)$(PREFIX)/libexec/plumbago
-	install -m 644 src/api/plumbago.h $(DESTDIR)$(PREFIX)/include
-	install -m 644 $(O)/libplumbago.a $(DESTDIR)$(PREFIX)/lib
+	install -d "$(dest)/bin" "$(dest)/libexec/plumbago" "$(dest)/include" "$(dest)/lib/pkgconfig" "$(dest)/share/plumbago/profiles"
+	install $(O)/plumbago $(O)/plumbago-profile "$(dest)/bin"
+	install $(O)/tap-svg "$(dest)/libexec/plumbago"
+	install -m 644 src/api/plumbago.h "$(dest)/include"
+	install -m 644 $(O)/libplumbago.a "$(dest)/lib"
+	install -m 644 $(pencils) "$(dest)/share/plumbago/profiles"
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: plumbago' 'Description: vector drawings drawn with a pencil' 'Version: $(VERSION)' \
 	    'Requires: cairo libpng' 'Libs: -L$${prefix}/lib -lplumbago -lm' 'Cflags: -I$${prefix}/include' \
-	    > $(DESTDIR)$(PREFIX)/lib/pkgconfig/plumbago.pc
-	for m in $(notdir $(manuals)); do d=$(DESTDIR)$(PREFIX)/share/man/man$${m##*.}; install -d $$d && install -m 644 man/$$m $$d || exit 1; done
-	install -d $(DESTDIR)$(PREFIX)/share/plumbago/profiles && install -m 644 $(pencils) $(DESTDIR)$(PREFIX)/share/plumbago/profiles
+	    > "$(dest)/lib/pkgconfig/plumbago.pc"
+	for m in $(notdir $(manuals)); do d="$(dest)/share/man/man$${m##*.}"; install -d "$$d" && \
+	    sed 's#/usr/local#$(PREFIX)#g' man/$$m > "$$d/$$m" && chmod 644 "$$d/$$m" || exit 1; done
 uninstall:
-	rm -f $(DESTDIR)$(PREFIX)/bin/plumbago $(DESTDIR)$(PREFIX)/bin/plumbago-profile $(DESTDIR)$(PREFIX)/include/plumbago.h
-	rm -f $(DESTDIR)$(PREFIX)/lib/libplumbago.a $(DESTDIR)$(PREFIX)/lib/pkgconfig/plumbago.pc
-	rm -rf $(DESTDIR)$(PREFIX)/libexec/plumbago $(DESTDIR)$(PREFIX)/share/plumbago
-	for m in $(notdir $(manuals)); do rm -f $(DESTDIR)$(PREFIX)/share/man/man$${m##*.}/$$m; done
+	rm -f "$(dest)/bin/plumbago" "$(dest)/bin/plumbago-profile" "$(dest)/include/plumbago.h"
+	rm -f "$(dest)/lib/libplumbago.a" "$(dest)/lib/pkgconfig/plumbago.pc"
+	rm -rf "$(dest)/libexec/plumbago" "$(dest)/share/plumbago"
+	for m in $(notdir $(manuals)); do rm -f "$(dest)/share/man/man$${m##*.}/$$m"; done
 
 .PHONY: clean help
 clean:

@@ -42,7 +42,7 @@ static bool write_controls(const plb_drawing *d, const plb_options *o, FILE *to,
     if (!plb_api_tools_init(&t, o, err))
         return false;
     controls_picture *c = plb_controls_new(d->list.width, d->list.height, o->dpi, err);
-    bool ok = c && fill_picture(c, &d->strokes, &t.stroke, err) && plb_controls_write(c, to, file, err);
+    bool ok = c && fill_picture(c, &d->strokes, &t.stroke, err) && plb_controls_write(c, to, plb_output_shown(file), err);
     plb_controls_free(c);
     plb_api_tools_free(&t);
     return ok;
@@ -50,13 +50,17 @@ static bool write_controls(const plb_drawing *d, const plb_options *o, FILE *to,
 
 static bool write_text(bool ok, const char *file, error *err)
 {
-    return ok || plb_fail(err, ERROR_FILE, "%s: cannot be written: %s", file, strerror(errno));
+    return ok || plb_fail(err, ERROR_FILE, "%s: cannot be written: %s", plb_output_shown(file), strerror(errno));
 }
 
 bool plb_drawing_dump(const plb_drawing *d, plb_dump what, const char *file, const plb_options *o, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
     output out;
+    if (what > PLB_DUMP_CONTROLS) {
+        plb_fail(&err, ERROR_ARGUMENT, "there is no such dump");
+        return plb_api_finish(&err, failed);
+    }
     bool ok = plb_output_open(&out, file, &err);
     if (ok) {
         switch (what) {

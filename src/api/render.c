@@ -63,7 +63,7 @@ static bool write_page(const page *p, const plb_options *o, const drawing_tools 
     output out;
     if (!plb_output_open(&out, file, err))
         return false;
-    if (plb_page_write_png(p, &png, out.to, file, err))
+    if (plb_page_write_png(p, &png, out.to, plb_output_shown(file), err))
         return plb_output_commit(&out, err);
     plb_output_discard(&out);
     return false;

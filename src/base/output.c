@@ -14,6 +14,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+const char *plb_output_shown(const char *file)
+{
+    return strcmp(file, "-") ? file : "standard output";
+}
+
 static bool fail(error *err, const char *file, const char *what, int reason)
 {
     return plb_fail(err, ERROR_FILE, "%s: %s: %s", file, what, strerror(reason));
@@ -105,7 +110,7 @@ static bool open_direct(output *out, error *err)
     int reason = errno;
     if (fd >= 0)
         close(fd);
-    return fail(err, strcmp(out->asked, "-") ? out->asked : "standard output", "cannot be written", reason);
+    return fail(err, plb_output_shown(out->asked), "cannot be written", reason);
 }
 
 bool plb_output_open(output *out, const char *file, error *err)
@@ -166,7 +171,7 @@ bool plb_output_commit(output *out, error *err)
         }
     }
     if (!ok)
-        fail(err, strcmp(out->asked, "-") ? out->asked : "standard output", "cannot be written", reason);
+        fail(err, plb_output_shown(out->asked), "cannot be written", reason);
     plb_output_discard(out);
     return ok;
 }

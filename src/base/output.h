@@ -18,6 +18,9 @@ typedef struct {
     const char *asked; /* as the caller wrote it, for messages */
 } output;
 
+/* A file's name as messages show it. */
+const char *plb_output_shown(const char *file);
+
 /* Opens; `file` "-" is standard output and must outlive the output. False and `err` on failure. */
 bool plb_output_open(output *out, const char *file, error *err);
 /* Closes and gives the file its name. False and `err` when anything could not be written; nothing is left then. */

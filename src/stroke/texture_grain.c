@@ -85,8 +85,8 @@ static double clamp(double v, double low, double high)
 
 /* How far lines of one pencil differ is known from few lines, in a graded pencil from two to nine: depth and width keep
  * within what a drawing by one hand shows (chosen by eye). */
-#define DEPTH_SPREAD 0.25
-#define WIDTH_SPREAD 0.18
+#define DEPTH_SPREAD 0.35
+#define WIDTH_SPREAD 0.24
 
 static line_figures draw_line(const pencil *p, uint64_t key)
 {

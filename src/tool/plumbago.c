@@ -7,8 +7,10 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -145,7 +147,7 @@ static const option table[] = {
     {0, "list-pencils", NULL, "show the pencils that are built in", set_list_pencils},
     {0, NULL, NULL, "Hand", NULL},
     {'s', "seed", "SEED", "a number, or 'random': another hand for the same drawing [1]", set_seed},
-    {0, "squiggle", "LEN", "deviation of the path; 0: ruler-straight [5/300in; spring: 3/300in]", set_squiggle},
+    {0, "squiggle", "LEN", "how far lines stray; 0: ruler-straight [5/300in: as measured]", set_squiggle},
     {0, "model", "graphite|hla", "how lines are made: as measured, or the papers' algorithm [graphite]", set_model},
     {0, "arm", "hand|jerk|spring", "how the arm moves [hand; with --model hla: jerk]", set_arm},
     {0, NULL, NULL, "Diagnosis", NULL},
@@ -276,15 +278,22 @@ static int draw(settings *s, const char *input, const char *to)
     return ok ? EXIT_DRAWN : fail(s, &e);
 }
 
+static bool is_same_file(const char *a, const char *b)
+{
+    struct stat x, y;
+    return strcmp(a, "-") && strcmp(b, "-") && stat(a, &x) == 0 && stat(b, &y) == 0 && S_ISREG(x.st_mode) && x.st_dev == y.st_dev &&
+           x.st_ino == y.st_ino;
+}
+
 /* Where the result goes when -o is absent: text dumps and what came by standard input to standard output. */
 static int run(settings *s, const char *input)
 {
     bool is_text = s->dump == PLB_DUMP_LIST || s->dump == PLB_DUMP_STROKES;
     char *made = s->output || is_text || !strcmp(input, "-") ? NULL : name_output(input);
     const char *to = s->output ? s->output : made ? made : "-";
-    if (made && !strcmp(made, input)) {
+    if (is_same_file(to, input)) {
         free(made);
-        return wrong("the picture would take the drawing's name: name another with -o");
+        return wrong("the result would replace the drawing: name another file with -o");
     }
     if (!strcmp(to, "-") && !is_text && isatty(STDOUT_FILENO)) {
         free(made);
@@ -292,8 +301,7 @@ static int run(settings *s, const char *input)
     }
     if (s->random_seed) {
         s->o.seed = random_seed();
-        if (!s->quiet)
-            fprintf(stderr, PROGRAM ": seed %llu\n", (unsigned long long)s->o.seed);
+        fprintf(stderr, PROGRAM ": seed %llu\n", (unsigned long long)s->o.seed);
     }
     s->started = time(NULL);
     s->o.message = on_message;
@@ -315,6 +323,7 @@ static void keep_standard_descriptors(void)
 int main(int argc, char **argv)
 {
     keep_standard_descriptors();
+    signal(SIGCHLD, SIG_DFL); /* whoever started us may ignore it: we want to know how the helper ended */
     settings s = {.o = plb_options_default(), .pencil = "HB", .dump = -1};
     int operands;
     if (!options_parse(PROGRAM, table, TABLE_ROWS, argc, argv, &s, &operands))

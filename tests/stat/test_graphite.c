@@ -198,6 +198,42 @@ static void ends_fade_as_measured(void)
     clean(&s);
 }
 
+/* Across the joint of a closed stroke neighbours correlate as anywhere along it. */
+static void closed_strokes_have_no_seam(void)
+{
+    setup s = prepare();
+    double squares = 0, seam = 0;
+    for (uint64_t id = 1; id <= 3000; id++) {
+        CHECK(plb_grain_make(&s.grain, 200, NO_ENDS, s.pencil, 1, id, NULL));
+        double first = sample(&s.grain, 0.5, 0) - DEPTH, last = sample(&s.grain, 199.5, 0) - DEPTH;
+        squares += (first * first + last * last) / 2;
+        seam += first * last;
+    }
+    CHECK(s.grain.columns == 200);
+    CHECK_RANGE(seam / squares, 0.3, 0.5);
+    clean(&s);
+}
+
+/* Where a line goes on round a corner it is as dark as elsewhere, and reaches half its width beyond. */
+static void corners_are_filled(void)
+{
+    setup s = prepare();
+    const grain_ends corners = {GRAIN_CORNER, GRAIN_CORNER};
+    double before = 0, at = 0, beyond = 0, beside = 0;
+    for (uint64_t id = 1; id <= 300; id++) {
+        CHECK(plb_grain_make(&s.grain, 60, corners, s.pencil, 1, id, NULL));
+        before += sample(&s.grain, 30, 0);
+        at += sample(&s.grain, 0.5, 0);
+        beyond += sample(&s.grain, -2, 0);
+        beside += sample(&s.grain, -2.9, 2.9);
+        CHECK(sample(&s.grain, -4, 0) == 0 && sample(&s.grain, 64, 0) == 0);
+    }
+    CHECK_RANGE(at / before, 0.95, 1.05);
+    CHECK_RANGE(beyond / before, 0.65, 0.8); /* the section two px from the centre: 0.73 */
+    CHECK_RANGE(beside / before, 0, 0.35);
+    clean(&s);
+}
+
 static void no_two_strokes_are_alike(void)
 {
     setup s = prepare();
@@ -251,6 +287,8 @@ int main(void)
     RUN(the_section_comes_out);
     RUN(the_grain_has_its_spread_and_correlation);
     RUN(ends_fade_as_measured);
+    RUN(closed_strokes_have_no_seam);
+    RUN(corners_are_filled);
     RUN(no_two_strokes_are_alike);
     RUN(extreme_strokes_are_bounded);
     RUN(quantiles_are_right);

@@ -109,10 +109,13 @@ static void squiggle_zero_is_ruler_straight(void)
     array_free(&path);
 }
 
+static arm_model parallel_arm;
+
 /* Deviation of a path from its chord at 64 places along it. */
 static void deviations(const stroke_list *list, const stroke *s, uint64_t seed, double out[64])
 {
     stroke_options o = options_for(seed);
+    o.arm = parallel_arm;
     path_samples path = {0};
     CHECK(plb_path_sample(list, s, &o, &path, NULL));
     point from = list->points.v[s->first], d = point_sub(list->points.v[s->first + 1], from);
@@ -143,7 +146,7 @@ static double correlation(const double *a, const double *b, int n)
 }
 
 /* Equal parallel lines in one drawing: over 100 of them the mean correlation of neighbours' deviations is about 0. */
-static void parallel_lines_differ(void)
+static void compare_parallel_lines(void)
 {
     enum { LINES = 101 };
     point ends[2 * LINES];
@@ -160,6 +163,15 @@ static void parallel_lines_differ(void)
     for (int i = 0; i + 1 < LINES; i++)
         sum += correlation(d[i], d[i + 1], 64);
     CHECK_RANGE(sum / (LINES - 1), -0.1, 0.1);
+}
+
+static void parallel_lines_differ(void)
+{
+    static const arm_model arms[] = {ARM_JERK, ARM_SPRING, ARM_HAND};
+    for (size_t i = 0; i < 3; i++) {
+        parallel_arm = arms[i];
+        compare_parallel_lines();
+    }
 }
 
 static void ends_stay_where_the_drawing_has_them(void)

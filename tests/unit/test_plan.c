@@ -142,6 +142,32 @@ static void clips_keep_every_piece(void)
     clean(&s);
 }
 
+/* A clip's level edge at half its height lies on the border of two bands: no crossing may fall between them. */
+static void level_clip_edges_cut_every_line(void)
+{
+    setup s = page(100, 100);
+    int notch = add_clip(&s, (const double[]){0, 0, 100, 0, 100, 50, 50, 50, 50, 100, 0, 100}, 6, NO_CLIP);
+    for (int i = 0; i < 500; i++) {
+        double x = 52 + i * 0.0213;
+        add(&s, ITEM_STROKE, (const double[]){x, 1.79 + i * 0.001, 52 + i * 0.019, 97.3 - i * 0.0006}, 2)->clip = notch;
+    }
+    CHECK(plan(&s) == 500);
+    for (size_t i = 0; i < s.strokes.strokes.n; i++)
+        CHECK_RANGE(length_of(&s, i), 45, 49);
+    clean(&s);
+}
+
+static void fills_close_their_subpaths(void)
+{
+    setup s = page(100, 100);
+    add(&s, ITEM_FILL, (const double[]){10, 10, 50, 10, 50, 50}, 3);
+    add(&s, ITEM_STROKE, (const double[]){60, 60, 90, 60, 90, 90}, 3);
+    CHECK(plan(&s) == 3 + 2);
+    CHECK(s.strokes.strokes.v[0].corner_first && s.strokes.strokes.v[0].corner_last); /* of a closed shape */
+    CHECK(!s.strokes.strokes.v[3].corner_first && s.strokes.strokes.v[3].corner_last && !s.strokes.strokes.v[4].corner_last);
+    clean(&s);
+}
+
 static void even_odd_clips_have_holes(void)
 {
     setup s = page(100, 100);
@@ -249,6 +275,8 @@ int main(void)
     RUN(dashes_are_strokes);
     RUN(mad_dashes_are_bounded);
     RUN(clips_keep_every_piece);
+    RUN(level_clip_edges_cut_every_line);
+    RUN(fills_close_their_subpaths);
     RUN(even_odd_clips_have_holes);
     RUN(the_page_clips);
     RUN(white_leaves_no_mark);
