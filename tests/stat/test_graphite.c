@@ -120,6 +120,33 @@ static double sample(const grain *g, double along, double across)
     return s.darkness(s.texture, along, across);
 }
 
+static bool add_darkness(void *closure, const patch *p)
+{
+    double *sum = closure;
+    for (int i = 0; i < p->width * p->height; i++)
+        *sum += 255 - p->grey[i];
+    return true;
+}
+
+/* The grain is at 300 dpi whatever resolution its scans had: the profile's own changes nothing. */
+static void the_scans_resolution_changes_nothing(void)
+{
+    double ink[2] = {0, 0};
+    for (int k = 0; k < 2; k++) {
+        setup s = prepare();
+        s.profile->dpi = k ? 600 : 300;
+        point ends[2] = {{5, 5}, {55, 12}};
+        stroke line = {.identity = 9, .n = 2};
+        stroke_list list = {.strokes = {&line, 1, 1}, .points = {ends, 2, 2}};
+        stroke_options o = {.pencil = s.pencil, .seed = 1, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .squiggle = -1, .dpi = 300};
+        stroke_scratch scratch = {0};
+        CHECK(plb_stroke_draw(&list, &line, &o, &scratch, add_darkness, &ink[k], NULL));
+        plb_stroke_scratch_free(&scratch);
+        clean(&s);
+    }
+    CHECK(ink[0] > 1000 && ink[0] == ink[1]);
+}
+
 static void the_section_comes_out(void)
 {
     setup s = prepare();
@@ -284,6 +311,7 @@ int main(void)
 {
     RUN(the_hand_wobbles_as_measured);
     RUN(squiggle_scales_the_hand);
+    RUN(the_scans_resolution_changes_nothing);
     RUN(the_section_comes_out);
     RUN(the_grain_has_its_spread_and_correlation);
     RUN(ends_fade_as_measured);
