@@ -32,6 +32,7 @@ typedef struct {
     int x1, y1;           /* the patch covers [p.x, x1) × [p.y, y1); empty when x1 <= p.x */
     uint8_t *fine;        /* darkness of each sample, `stride` a row; where pieces meet again in a tight bend, the darker */
     size_t stride;
+    uint8_t *kept;        /* room for samples of pixels that the next patch will go on with */
     patch_sink sink;
     void *closure;
 } mapper;
@@ -75,21 +76,51 @@ static bool flush(mapper *m)
     return ok;
 }
 
+static void move_samples(const mapper *m, uint8_t *to, const uint8_t *from, size_t to_stride, size_t from_stride, int width, int height)
+{
+    for (int y = 0; y < height * m->samples; y++)
+        memcpy(to + (size_t)y * to_stride, from + (size_t)y * from_stride, (size_t)(width * m->samples));
+}
+
+static uint8_t *samples_at(const mapper *m, int x, int y)
+{
+    return m->fine + (size_t)((y - m->p.y) * m->samples) * m->stride + (size_t)((x - m->p.x) * m->samples);
+}
+
+/* Hands the patch on and begins the next at the piece. Pixels that have samples of both would be laid twice, each time too
+ * light: their samples go over into the new patch. */
+static bool begin_next(mapper *m, const piece *k)
+{
+    int x0 = k->x0 > m->p.x ? k->x0 : m->p.x, y0 = k->y0 > m->p.y ? k->y0 : m->p.y;
+    int w = (k->x1 < m->x1 ? k->x1 : m->x1) - x0, h = (k->y1 < m->y1 ? k->y1 : m->y1) - y0;
+    bool keep = m->samples > 1 && w > 0 && h > 0;
+    size_t row = keep ? (size_t)(w * m->samples) : 0;
+    if (keep) {
+        move_samples(m, m->kept, samples_at(m, x0, y0), row, m->stride, w, h);
+        for (int y = 0; y < h * m->samples; y++)
+            memset(samples_at(m, x0, y0) + (size_t)y * m->stride, 0, row);
+    }
+    if (!flush(m))
+        return false;
+    m->p.x = k->x0;
+    m->p.y = k->y0;
+    m->x1 = k->x1;
+    m->y1 = k->y1;
+    if (keep)
+        move_samples(m, samples_at(m, x0, y0), m->kept, m->stride, row, w, h);
+    return true;
+}
+
 /* Makes room in the patch for the piece; false when the sink stops. */
 static bool make_room(mapper *m, const piece *k)
 {
-    if (m->x1 <= m->p.x) {
-        m->p.x = k->x0;
-        m->p.y = k->y0;
-        m->x1 = k->x1;
-        m->y1 = k->y1;
-        return true;
-    }
+    if (m->x1 <= m->p.x)
+        return begin_next(m, k);
     int x0 = k->x0 < m->p.x ? k->x0 : m->p.x, y0 = k->y0 < m->p.y ? k->y0 : m->p.y;
     int x1 = k->x1 > m->x1 ? k->x1 : m->x1, y1 = k->y1 > m->y1 ? k->y1 : m->y1;
     bool fits = x0 == m->p.x && y0 == m->p.y && x1 - x0 <= PATCH_SIDE && y1 - y0 <= PATCH_SIDE && (x1 - x0) * (y1 - y0) <= PATCH_AREA;
     if (!fits)
-        return flush(m) && make_room(m, k);
+        return begin_next(m, k);
     m->x1 = x1;
     m->y1 = y1;
     return true;
@@ -211,7 +242,7 @@ static bool make_fine(map_room *room, size_t side)
     if (room->size >= side * side)
         return true;
     plb_free(room->fine);
-    room->fine = plb_new(side * side, 1);
+    room->fine = plb_new(2 * side * side, 1); /* the second half: samples kept */
     room->size = room->fine ? side * side : 0;
     return room->fine != NULL;
 }
@@ -226,6 +257,7 @@ bool plb_strip_map(const shading *s, double dpi, const path_samples *path, bool 
     if (!make_fine(room, m.stride))
         return false;
     m.fine = room->fine;
+    m.kept = room->fine + m.stride * m.stride;
     bool ok = true;
     for (size_t i = 0; ok && i + 1 < path->n; i++)
         ok = map_piece(&m, piece_of(&m, path->v + i, path->v + i + 1, dpi / MM_PER_INCH, i == 0 && !closed, i + 2 == path->n && !closed));
