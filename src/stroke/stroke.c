@@ -55,7 +55,7 @@ bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_opti
     if (o->model == MODEL_GRAPHITE) {
         if (!plb_grain_make(&scratch->grain, length_px, ends_of(path, s), o->pencil, o->seed, s->identity, err))
             return false;
-        texture = plb_grain_shading(&scratch->grain, dpi);
+        texture = plb_grain_shading(&scratch->grain, dpi, o->dpi);
     } else {
         if (!plb_texture(&scratch->strip, length_px, s->closed, o->pencil, o->seed, s->identity, err))
             return false;

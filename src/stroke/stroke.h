@@ -128,6 +128,7 @@ typedef struct {
     float depth;             /* 255 - grey of the line's middle */
     float narrow;            /* px at the pencil's mean width per px across: this line's own width */
     float half_width, half_reference; /* half the mean width and half the profile's, px: inside places stretch, outside not */
+    float ragged;            /* px by which a point may look beside its own pixel of the field, on finer pages */
     float cap_first, cap_last; /* radius of the round caps at corners, px; 0: none */
 } grain;
 void plb_grain_free(grain *g);
@@ -139,9 +140,13 @@ typedef struct {
     grain_end first, last;
 } grain_ends;
 
+/* Pages finer than this show single pixels of the field: their edges are broken up. */
+#define GRAIN_RAGGED_DPI 375.0
+
 /* Fills `g` for a stroke of `length_px` (of 1/300 inch, as the whole grain is). Needs a profile with a grain. */
 bool plb_grain_make(grain *g, double length_px, grain_ends ends, const pencil *p, uint64_t seed, uint64_t identity, error *err);
-shading plb_grain_shading(const grain *g, double dpi);
+/* As a texture of `dpi` px per inch for a page of `page_dpi`. */
+shading plb_grain_shading(grain *g, double dpi, double page_dpi);
 
 /* Room that a thread keeps from stroke to stroke. */
 typedef struct {

@@ -114,9 +114,9 @@ static void squiggle_scales_the_hand(void)
     CHECK(fabs(plb_hand_off(&h, 0) - plb_hand_off(&h, 100)) < 1e-9);
 }
 
-static double sample(const grain *g, double along, double across)
+static double sample(grain *g, double along, double across)
 {
-    shading s = plb_grain_shading(g, 300);
+    shading s = plb_grain_shading(g, 300, 300);
     return s.darkness(s.texture, along, across);
 }
 
@@ -145,6 +145,27 @@ static void the_scans_resolution_changes_nothing(void)
         clean(&s);
     }
     CHECK(ink[0] > 1000 && ink[0] == ink[1]);
+}
+
+/* One drawing at three resolutions puts down the same graphite. */
+static void resolutions_agree(void)
+{
+    static const double dpi[] = {300, 150, 600};
+    double ink[3] = {0, 0, 0};
+    setup s = prepare();
+    point ends[2] = {{5, 5}, {55, 12}};
+    for (int k = 0; k < 3; k++)
+        for (uint64_t id = 1; id <= 10; id++) {
+            stroke line = {.identity = id, .n = 2};
+            stroke_list list = {.strokes = {&line, 1, 1}, .points = {ends, 2, 2}};
+            stroke_options o = {.pencil = s.pencil, .seed = 1, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .squiggle = -1, .dpi = dpi[k]};
+            stroke_scratch scratch = {0};
+            CHECK(plb_stroke_draw(&list, &line, &o, &scratch, add_darkness, &ink[k], NULL));
+            plb_stroke_scratch_free(&scratch);
+        }
+    CHECK_RANGE(ink[1] * 4 / ink[0], 0.97, 1.03);
+    CHECK_RANGE(ink[2] / 4 / ink[0], 0.97, 1.03);
+    clean(&s);
 }
 
 static void the_section_comes_out(void)
@@ -312,6 +333,7 @@ int main(void)
     RUN(the_hand_wobbles_as_measured);
     RUN(squiggle_scales_the_hand);
     RUN(the_scans_resolution_changes_nothing);
+    RUN(resolutions_agree);
     RUN(the_section_comes_out);
     RUN(the_grain_has_its_spread_and_correlation);
     RUN(ends_fade_as_measured);
