@@ -38,8 +38,9 @@ static const char *shown_name(const char *file)
 }
 
 /* Nothing is left out silently. */
-static void report_losses(const plb_drawing *d, const char *name, const messenger *say)
+static void report_losses(const plb_drawing *d, const messenger *say)
 {
+    const char *name = d->name;
     if (d->list.images)
         plb_say(say, MESSAGE_WARNING, "%s: %lu raster image%s left out", name, d->list.images, d->list.images == 1 ? "" : "s");
     if (d->list.masks)
@@ -57,19 +58,17 @@ static bool load(plb_drawing *d, const char *file, const plb_options *o, const m
     input_source in = {.name = shown_name(file), .data = data, .size = size, .helper_dir = o->helper_dir, .say = *say};
     bool ok = plb_input_read(&in, &d->list, err);
     plb_free(data);
-    d->name = plb_new(strlen(in.name) + 1, 1);
-    if (ok && !d->name)
-        return plb_fail_memory(err);
-    if (d->name)
-        strcpy(d->name, in.name);
-    error late = {ERROR_NONE, ""};
     if (!ok)
         return false;
-    if (fit(&d->list, o, &late) && plb_plan(&d->list, say, &d->strokes, &late)) {
-        report_losses(d, shown_name(file), say);
-        return true;
-    }
-    return plb_fail(err, late.kind, "%s: %s", shown_name(file), late.text);
+    d->name = plb_new(strlen(in.name) + 1, 1);
+    if (!d->name)
+        return plb_fail_memory(err);
+    strcpy(d->name, in.name);
+    error late = {ERROR_NONE, ""};
+    if (!fit(&d->list, o, &late) || !plb_plan(&d->list, say, &d->strokes, &late))
+        return plb_fail(err, late.kind, "%s: %s", d->name, late.text);
+    report_losses(d, say);
+    return true;
 }
 
 plb_drawing *plb_drawing_load(const char *file, const plb_options *options, plb_error *failed)

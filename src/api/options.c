@@ -7,7 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-
 plb_options plb_options_default(void)
 {
     plb_options o;

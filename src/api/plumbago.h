@@ -156,9 +156,9 @@ PLB_API cairo_surface_t *plb_drawing_render(const plb_drawing *drawing, const pl
 typedef enum { PLB_DUMP_LIST, PLB_DUMP_STROKES, PLB_DUMP_CONTROLS } plb_dump;
 PLB_API bool plb_drawing_dump(const plb_drawing *drawing, plb_dump what, const char *file, const plb_options *options, plb_error *error);
 
-/* Draws one pencil line from (x0, y0) to (x1, y1) onto a cairo image surface (ARGB32, RGB24 or A8), in pixels of the
- * surface, which is taken to have options->dpi. It darkens what is there, as graphite does. The surface must not be finished. `number` tells lines with
- * the same ends apart. */
+/* Draws one pencil line from (x0, y0) to (x1, y1) onto a cairo image surface (ARGB32, RGB24 or A8; not finished), in
+ * pixels of the surface, which is taken to have options->dpi. It darkens what is there, as graphite does. `number` tells
+ * lines with the same ends apart. */
 PLB_API bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, double y1, uint64_t number,
                            const plb_options *options, plb_error *error);
 

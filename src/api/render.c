@@ -116,10 +116,8 @@ static bool lay_on_surface(void *closure, const patch *p)
 static uint64_t identity_of(const point ends[2], uint64_t number)
 {
     uint64_t h = random_mix(number + 1);
-    for (int i = 0; i < 2; i++) {
-        h = random_mix(h ^ (uint64_t)llround(ends[i].x * 1000));
-        h = random_mix(h + (uint64_t)llround(ends[i].y * 1000) * 0x9e3779b97f4a7c15u);
-    }
+    for (int i = 0; i < 2; i++)
+        h = random_fold(h, llround(ends[i].x * 1000), llround(ends[i].y * 1000));
     return h | 1;
 }
 

@@ -40,6 +40,12 @@ static inline uint64_t random_bits(uint64_t key, uint64_t index)
     return random_mix(key + 0x9e3779b97f4a7c15u * (index + 1));
 }
 
+/* Folds a place into a hash: how identities are made of shapes. */
+static inline uint64_t random_fold(uint64_t h, int64_t x, int64_t y)
+{
+    return random_mix(random_mix(h ^ (uint64_t)x) + (uint64_t)y * 0x9e3779b97f4a7c15u);
+}
+
 /* Uniform in [0, 1). */
 static inline double random_unit(uint64_t key, uint64_t index)
 {

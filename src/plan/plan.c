@@ -63,10 +63,8 @@ static bool insert(identity_set *s, uint64_t key, bool *fresh)
 static uint64_t hash_shape(const track *t)
 {
     uint64_t h = t->closed ? 0x9ae16a3b2f90404fu : 0xc3a5c85c97cb3127u;
-    for (size_t i = 0; i < t->points.n; i++) {
-        h = random_mix(h ^ (uint64_t)llround(t->points.v[i].at.x / IDENTITY_UNIT_MM));
-        h = random_mix(h + (uint64_t)llround(t->points.v[i].at.y / IDENTITY_UNIT_MM) * 0x9e3779b97f4a7c15u);
-    }
+    for (size_t i = 0; i < t->points.n; i++)
+        h = random_fold(h, llround(t->points.v[i].at.x / IDENTITY_UNIT_MM), llround(t->points.v[i].at.y / IDENTITY_UNIT_MM));
     return h | 1;
 }
 

@@ -5,6 +5,7 @@
  */
 #include "profile/grain.h"
 
+#include "base/normal.h"
 #include "profile/grain_math.h"
 
 #include "base/array.h"
@@ -111,7 +112,7 @@ static void fill_row(pixels *p, int row, grain_model *g)
     for (int k = 0; k < GRAIN_SCORES; k++) {
         double level = plb_grain_levels[row], v = row > 0 ? g->darkness[row - 1][k] + level - plb_grain_levels[row > 0 ? row - 1 : 0] : 0;
         if (n > 0)
-            v = quantile(p->chosen, n, plb_normal_cdf(score_of_knot(k)));
+            v = quantile(p->chosen, n, plb_normal_share(score_of_knot(k)));
         g->darkness[row][k] = (float)clamp(v, 0, level < EMPTY_BELOW ? 0 : CAP + CAP_SLOPE * level);
     }
 }

@@ -10,12 +10,6 @@
 #define CONVERGED 1e-24     /* squares off the diagonal, as a share of all */
 #define DEPENDENT 1e-9      /* a pivot below this share of its variance is rounding */
 #define FOLD_RADIUS 4       /* bins, four sigma */
-#define ROOT_2 1.41421356237309504880
-
-double plb_normal_cdf(double z)
-{
-    return erfc(-z / ROOT_2) / 2;
-}
 
 void plb_gaussian(double sigma, int radius, double weight[])
 {
@@ -36,13 +30,6 @@ void plb_smooth_folded(const double in[], double out[], int n)
         }
         out[i] = sum / weights;
     }
-}
-
-double plb_interpolate(const float v[], int n, double first, double step, double x)
-{
-    double at = clamp((x - first) / step, 0, n - 1);
-    int k = at < n - 1 ? (int)at : n - 2;
-    return v[k] + ((double)v[k + 1] - v[k]) * (at - k);
 }
 
 /* ---- eigenvalues: cyclic Jacobi (Golub & Van Loan, Matrix Computations, section 8.5) ---- */

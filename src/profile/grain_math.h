@@ -5,26 +5,19 @@
 #ifndef PLB_PROFILE_GRAIN_MATH_H
 #define PLB_PROFILE_GRAIN_MATH_H
 
+#include "base/interpolate.h"
+
 #include <stdbool.h>
 
-/* The standard normal distribution function. */
-double plb_normal_cdf(double z);
 /* Weights exp(-k²/2 sigma²) of k = 0 to radius, not normalised. */
 void plb_gaussian(double sigma, int radius, double weight[]);
 /* Smooths `n` bins that start at a line's middle, where the other side is their mirror image, by a Gaussian of one bin. */
 void plb_smooth_folded(const double in[], double out[], int n);
-/* `v` at `x` between its values at first + k * step; level beyond the ends. */
-double plb_interpolate(const float v[], int n, double first, double step, double x);
 /* Eigenvalues of the symmetric n x n matrix `a`, left on its diagonal, and eigenvectors, the columns of `vectors`. */
 void plb_eigen(double *a, double *vectors, int n);
 /* Solves a x = b for a positive definite `a`; both are overwritten, b with x. False: `a` is not. */
 bool plb_solve(double *a, double *b, int n);
 /* The lower triangle l with l lᵀ = a for a positive semi-definite `a` of any rank. */
 void plb_semi_cholesky(const double *a, double *l, int n);
-
-static inline double clamp(double x, double low, double high)
-{
-    return x >= low ? x <= high ? x : high : low; /* NaN gives low */
-}
 
 #endif

@@ -27,7 +27,7 @@ static const double median_percent[HAND_MODES] = {.56, .22, .14, .095, .066, .04
 /* The longest lines measured: beyond, a draughtsman moves the arm on, and strays no farther. */
 #define LONGEST_MEASURED_MM 250.0
 
-/* Normal, by the sum of twelve uniform numbers' bytes: smooth enough for amplitudes, the same on every machine. */
+/* Normal enough for amplitudes: the sum of twelve uniform numbers, less its mean; without any function of libm. */
 static double normal(uint64_t key, uint64_t index)
 {
     double sum = 0;

@@ -3,6 +3,7 @@
  * The graphite model's tables: what a captured grain needs so that drawing is additions and look-ups.
  * Input: profile.grain. Output: grain_tables.
  */
+#include "base/interpolate.h"
 #include "base/normal.h"
 #include "stroke/pencil.h"
 
@@ -11,17 +12,6 @@
 
 /* Where the mean section is fainter than this the modes fade with it: they were measured on the line. */
 #define FAINT_SECTION 0.15
-
-/* Linear interpolation in n values that stand at 0, 1, 2 …; the ends go on. */
-static double interpolate(const float *v, int n, double x)
-{
-    if (!(x > 0))
-        return v[0];
-    if (x >= n - 1)
-        return v[n - 1];
-    int i = (int)x;
-    return v[i] + (x - i) * (v[i + 1] - v[i]);
-}
 
 static void tabulate_normals(grain_tables *t)
 {
@@ -39,10 +29,13 @@ static void tabulate_scores(grain_tables *t, const grain_model *g)
     enum { MIXED = 64 };
     double sd = sqrt((double)g->line_factor[2][0] * g->line_factor[2][0] + (double)g->line_factor[2][1] * g->line_factor[2][1] +
                      (double)g->line_factor[2][2] * g->line_factor[2][2]);
+    double rough[MIXED];
+    for (int i = 0; i < MIXED; i++)
+        rough[i] = exp(g->line_mean[2] + sd * plb_normal_quantile((i + 0.5) / MIXED));
     for (int k = 0; k < GRAIN_MAP; k++) {
         double x = (k - GRAIN_MAP / 2) * 16.0 / (GRAIN_MAP - 1), share = 0;
         for (int i = 0; i < MIXED; i++)
-            share += plb_normal_share(x / exp(g->line_mean[2] + sd * plb_normal_quantile((i + 0.5) / MIXED))) / MIXED;
+            share += plb_normal_share(x / rough[i]) / MIXED;
         double score = plb_normal_quantile(share) * GRAIN_SCORE_UNIT;
         t->score[k] = (int8_t)(score > 127 ? 127 : score < -127 ? -127 : floor(score + 0.5));
     }
@@ -58,8 +51,9 @@ static void tabulate_darkness(grain_tables *t, const grain_model *g)
         double w = (m - plb_grain_levels[i]) / (plb_grain_levels[i + 1] - plb_grain_levels[i]);
         w = w > 1 ? 1 : w;
         for (int k = 0; k < 128; k++) {
-            double z = (2 * k + 1 - 128) / (double)GRAIN_SCORE_UNIT, x = (z + 3) / 6 * (GRAIN_SCORES - 1);
-            double low = interpolate(g->darkness[i], GRAIN_SCORES, x), high = interpolate(g->darkness[i + 1], GRAIN_SCORES, x);
+            double z = (2 * k + 1 - 128) / (double)GRAIN_SCORE_UNIT, step = 6.0 / (GRAIN_SCORES - 1);
+            double low = plb_interpolate(g->darkness[i], GRAIN_SCORES, -3, step, z);
+            double high = plb_interpolate(g->darkness[i + 1], GRAIN_SCORES, -3, step, z);
             double v = (low + w * (high - low)) * GRAIN_RELATIVE_UNIT;
             t->darkness[level][k] = (uint16_t)(v < 0 ? 0 : v > 65535 ? 65535 : floor(v + 0.5));
         }
@@ -70,7 +64,7 @@ static void tabulate_section(grain_tables *t, const grain_model *g)
 {
     for (int k = 0; k < GRAIN_MODE_PLACES; k++) {
         double place = fabs((k - GRAIN_MODE_PLACES / 2) * PROFILE_SECTION_STEP);
-        double f = interpolate(g->section, GRAIN_SECTION, place / PROFILE_SECTION_STEP - 0.5);
+        double f = plb_interpolate(g->section, GRAIN_SECTION, PROFILE_SECTION_STEP / 2, PROFILE_SECTION_STEP, place);
         double fade = f < FAINT_SECTION ? f / FAINT_SECTION : 1;
         t->section[k] = (float)f;
         for (int i = 0; i < GRAIN_MODES; i++)

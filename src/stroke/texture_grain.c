@@ -10,6 +10,7 @@
  *      high in smooth columns and low in broken ones.
  *   4. A point's darkness is the captured quantile, at the point's score, of pixels where so much darkness is expected.
  */
+#include "base/interpolate.h"
 #include "base/random.h"
 #include "stroke/pencil.h"
 
@@ -76,11 +77,6 @@ static bool resize(grain *g, int columns, int rows, error *err)
 static double normal_at(const grain_tables *t, uint64_t key, uint64_t index)
 {
     return t->normal[random_bits(key, index) >> 52];
-}
-
-static double clamp(double v, double low, double high)
-{
-    return v < low ? low : v > high ? high : v;
 }
 
 /* How far lines of one pencil differ is known from few lines, in a graded pencil from two to nine: depth and width keep
@@ -182,25 +178,15 @@ typedef struct {
     float place_scale[ROWS_MAX], share[ROWS_MAX]; /* share: of the score, the rest of the plain field */
 } row_figures;
 
-static float at_place(const float *v, int n, double x)
-{
-    if (x <= 0)
-        return v[0];
-    if (x >= n - 1)
-        return v[n - 1];
-    int i = (int)x;
-    return v[i] + (float)(x - i) * (v[i + 1] - v[i]);
-}
-
 static row_figures figures_of_rows(const grain *g)
 {
     const grain_model *m = &g->pencil->profile->grain;
     row_figures r;
     for (int k = 0; k < g->rows; k++) {
         double place = fabs(place_of(g, k - g->rows / 2));
-        double f = at_place(m->section, GRAIN_SECTION, place / PROFILE_SECTION_STEP - 0.5);
-        double tz = at_place(m->place_scale, GRAIN_PLACES, place / 0.5 - 0.5);
-        r.place_scale[k] = (float)((1 + (tz - 1) * clamp((f - 0.4) / 0.4, 0, 1)) * GRAIN_SCORE_UNIT);
+        float f = (float)plb_interpolate(m->section, GRAIN_SECTION, PROFILE_SECTION_STEP / 2, PROFILE_SECTION_STEP, place);
+        float tz = (float)plb_interpolate(m->place_scale, GRAIN_PLACES, 0.25, 0.5, place);
+        r.place_scale[k] = (float)((1 + ((double)tz - 1) * clamp((f - 0.4) / 0.4, 0, 1)) * GRAIN_SCORE_UNIT);
         r.share[k] = (float)clamp((f - TAIL_LOW) / TAIL_SPAN, 0, 1);
     }
     return r;

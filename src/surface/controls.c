@@ -6,6 +6,7 @@
 
 #include "base/array.h"
 #include "base/units.h"
+#include "surface/cairo_png.h"
 
 #include <cairo.h>
 #include <errno.h>
@@ -71,15 +72,10 @@ void plb_controls_add_dots(controls_picture *c, const point *at, size_t n)
     }
 }
 
-static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsigned int n)
-{
-    return fwrite(data, 1, n, closure) == n ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
-}
-
 bool plb_controls_write(controls_picture *c, FILE *to, const char *name, error *err)
 {
     errno = 0;
-    cairo_status_t status = cairo_surface_write_to_png_stream(c->surface, write_bytes, to);
+    cairo_status_t status = plb_cairo_write_png(c->surface, to);
     if (status == CAIRO_STATUS_SUCCESS)
         return true;
     return plb_fail(err, ERROR_FILE, "%s: cannot be written: %s", name, errno ? strerror(errno) : cairo_status_to_string(status));

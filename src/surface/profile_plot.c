@@ -7,6 +7,7 @@
 #include "base/geom.h"
 #include "base/number.h"
 #include "base/output.h"
+#include "surface/cairo_png.h"
 #include "base/units.h"
 
 #include <cairo.h>
@@ -236,17 +237,12 @@ static bool draw(cairo_t *cr, const profile *f)
     return draw_ccm(place(cr, 1, 1), f) && cairo_status(cr) == CAIRO_STATUS_SUCCESS;
 }
 
-static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsigned int n)
-{
-    return fwrite(data, 1, n, closure) == n ? CAIRO_STATUS_SUCCESS : CAIRO_STATUS_WRITE_ERROR;
-}
-
 static bool write_picture(cairo_surface_t *surface, const char *file, error *err)
 {
     output out;
     if (!plb_output_open(&out, file, err))
         return false;
-    cairo_status_t status = cairo_surface_write_to_png_stream(surface, write_bytes, out.to);
+    cairo_status_t status = plb_cairo_write_png(surface, out.to);
     if (status == CAIRO_STATUS_SUCCESS || status == CAIRO_STATUS_WRITE_ERROR)
         return plb_output_commit(&out, err);
     plb_output_discard(&out);
