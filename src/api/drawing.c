@@ -64,8 +64,10 @@ static bool load(plb_drawing *d, const char *file, const plb_options *o, const m
     if (!d->name)
         return plb_fail_memory(err);
     strcpy(d->name, in.name);
+    plan_options how = plb_plan_options_default();
+    how.seed = o->seed;
     error late = {ERROR_NONE, ""};
-    if (!fit(&d->list, o, &late) || !plb_plan(&d->list, say, &d->strokes, &late))
+    if (!fit(&d->list, o, &late) || !plb_plan(&d->list, &how, say, &d->strokes, &late))
         return plb_fail(err, late.kind, "%s: %s", d->name, late.text);
     report_losses(d, say);
     return true;

@@ -132,7 +132,7 @@ bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, do
         plb_fail(&err, ERROR_ARGUMENT, "a line needs an image surface and ends within a million pixels");
     drawing_tools t;
     if (err.kind == ERROR_NONE && plb_api_tools_init(&t, o, &err)) {
-        stroke one = {.identity = identity_of(ends, number), .n = 2};
+        stroke one = {.touch = TOUCH_USUAL, .identity = identity_of(ends, number), .n = 2};
         stroke_list list = {.strokes = {&one, 1, 1}, .points = {ends, 2, 2}};
         stroke_scratch scratch = {0};
         line_target to = {surface, &t.ink};

@@ -13,8 +13,25 @@
 #include <stdint.h>
 #include <stdio.h>
 
+/* What a movement is for: the hand makes each kind in its own way. */
+typedef enum {
+    STROKE_LINE,   /* of the drawing itself */
+    STROKE_HATCH,  /* one of many that make a tone */
+    STROKE_LETTER, /* lettering: small and careful */
+    STROKE_GUIDE   /* a construction line, drawn before the others and faint */
+} stroke_kind;
+
+/* How the pencil touches the paper along one movement. */
+typedef struct {
+    float pressure;   /* times the hand's usual pressure, > 0: lighter is paler and grainier, heavier darker and broader */
+    uint32_t colour;  /* 0xRRGGBB of a coloured pencil; 0: graphite */
+    stroke_kind kind;
+} touch;
+#define TOUCH_USUAL ((touch){1, 0, STROKE_LINE})
+
 /* One movement of the pencil along a smooth line. */
 typedef struct {
+    touch touch;
     uint64_t identity; /* where its random numbers live: a hash of its shape, distinct for each stroke of a list */
     size_t first, n;   /* its points in stroke_list.points; n >= 2, no two neighbours equal */
     bool closed;       /* ends where it starts, smoothly */

@@ -155,7 +155,7 @@ static bool cut_by(const region *r, const track *t, track_sink sink, void *closu
         return sink(closure, t);
     if (t->points.n == 1)
         return !plb_region_contains(r, t->points.v[0].at, EDGE_MARGIN_MM) || sink(closure, t);
-    cutter k = {.at = t->start, .sink = sink, .closure = closure, .err = err};
+    cutter k = {.piece.touch = t->touch, .at = t->start, .sink = sink, .closure = closure, .err = err};
     crossings at = {0}; /* of this clip alone: the sink may cut further */
     bool ok = true, whole = true;
     for (size_t i = 1; ok && i < t->points.n; i++) {

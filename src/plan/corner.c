@@ -9,6 +9,7 @@ static bool send(const track *t, size_t first, size_t last, track *piece, track_
 {
     size_t n = t->points.n;
     piece->points.n = 0;
+    piece->touch = t->touch;
     piece->corner_first = t->closed || first > 0;
     piece->corner_last = t->closed || last + 1 < n;
     if (!array_reserve(&piece->points, last - first + 1))
@@ -58,7 +59,7 @@ bool plb_plan_corners(const track *t, track_sink sink, void *closure, error *err
         k++;
     if (k == n) /* smooth all around: one closed stroke */
         return sink(closure, t);
-    track turned = {.closed = true};
+    track turned = {.touch = t->touch, .closed = true};
     bool ok = rotate(t, k, &turned, err) && cut(&turned, sink, closure, err);
     array_free(&turned.points);
     return ok;

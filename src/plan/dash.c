@@ -115,7 +115,7 @@ bool plb_plan_dash(const item *it, const track *t, track_sink sink, void *closur
     if (!has_gap || !(period >= SHORTEST_PERIOD_MM) || t->points.n < 2 || plb_track_length(t) / period > MOST_DASHES)
         return sink(closure, t);
     pattern p = pattern_at(it, t->start + it->dash_offset, period);
-    track dash = {0};
+    track dash = {.touch = t->touch};
     bool ok = (p.k & 1) || push(&dash, t->points.v[0].at, false, err);
     for (size_t i = 1; ok && i < t->points.n; i++)
         ok = walk(&p, &dash, t->points.v[i - 1], t->points.v[i], sink, closure, err);

@@ -89,7 +89,7 @@ static bool add_stroke(void *closure, const track *t)
         return true;
     if (out->strokes.n >= PLAN_MAX_STROKES || t->points.n > PLAN_MAX_POINTS - out->points.n)
         return plb_fail(p->err, ERROR_LIMIT, "the drawing has more than %u strokes or %u points", PLAN_MAX_STROKES, PLAN_MAX_POINTS);
-    stroke s = {.first = out->points.n, .n = t->points.n, .closed = t->closed, .corner_first = t->corner_first, .corner_last = t->corner_last};
+    stroke s = {.touch = t->touch, .first = out->points.n, .n = t->points.n, .closed = t->closed, .corner_first = t->corner_first, .corner_last = t->corner_last};
     if (!identify(&p->given, t, &s.identity) || !array_reserve(&out->points, t->points.n) || !array_push(&out->strokes, s))
         return plb_fail_memory(p->err);
     for (size_t i = 0; i < t->points.n; i++)
@@ -100,7 +100,7 @@ static bool add_stroke(void *closure, const track *t)
 static bool add_dot(planner *p, point at)
 {
     track_point ends[2] = {{{at.x - DOT_MM / 2, at.y}, false}, {{at.x + DOT_MM / 2, at.y}, false}};
-    track dot = {.points = {ends, 2, 2}};
+    track dot = {.points = {ends, 2, 2}, .touch = TOUCH_USUAL};
     return add_stroke(p, &dot);
 }
 
@@ -121,7 +121,9 @@ static bool after_clip(void *closure, const track *t)
 static bool after_flatten(void *closure, const track *t)
 {
     planner *p = closure;
-    return plb_plan_clip(p->clip, p->it->clip, t, after_clip, p, p->err);
+    track touched = *t; /* the points stay the sender's */
+    touched.touch = TOUCH_USUAL;
+    return plb_plan_clip(p->clip, p->it->clip, &touched, after_clip, p, p->err);
 }
 
 static bool leaves_mark(const item *it)
@@ -143,8 +145,14 @@ static bool is_wanted(const display_list *list, size_t i)
     return leaves_mark(it) && !before && !after;
 }
 
-bool plb_plan(const display_list *list, const messenger *say, stroke_list *out, error *err)
+plan_options plb_plan_options_default(void)
 {
+    return (plan_options){.fill = FILL_OUTLINE, .text = TEXT_OUTLINE, .pencil_width = 0.35, .seed = 1};
+}
+
+bool plb_plan(const display_list *list, const plan_options *o, const messenger *say, stroke_list *out, error *err)
+{
+    (void)o;
     memset(out, 0, sizeof *out);
     out->width = list->width;
     out->height = list->height;

@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/path.h"
 #include "list/list.h"
+#include "list/strokes.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -23,6 +24,7 @@ typedef struct {
     ARRAY(track_point) points; /* no two neighbours equal; of a closed track, first and last are the same point */
     bool closed;
     bool corner_first, corner_last; /* an end where another stroke goes on round a corner */
+    touch touch;
     double start; /* arc length from the subpath's beginning to the first point, mm: where its dashes stand */
 } track;
 

@@ -97,7 +97,7 @@ static void squiggle_keeps_its_limits(void)
 static void squiggle_zero_is_ruler_straight(void)
 {
     point ends[2] = {{10, 20}, {70, 95}};
-    stroke s = {.identity = 42, .n = 2};
+    stroke s = {.touch = TOUCH_USUAL, .identity = 42, .n = 2};
     stroke_list list = {.width = 100, .height = 100, .strokes = {&s, 1, 1}, .points = {ends, 2, 2}};
     stroke_options o = options_for(3);
     o.squiggle = 0;
@@ -178,7 +178,7 @@ static void ends_stay_where_the_drawing_has_them(void)
 {
     for (uint64_t seed = 1; seed <= 200; seed++) {
         point ends[2] = {{3, 4}, {3 + (double)seed, 50}};
-        stroke s = {.identity = seed, .n = 2};
+        stroke s = {.touch = TOUCH_USUAL, .identity = seed, .n = 2};
         stroke_list list = {.strokes = {&s, 1, 1}, .points = {ends, 2, 2}};
         stroke_options o = options_for(seed);
         path_samples path = {0};

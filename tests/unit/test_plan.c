@@ -48,7 +48,8 @@ static int add_clip(setup *s, const double *xy, int n, int parent)
 
 static size_t plan(setup *s)
 {
-    CHECK(plb_plan(&s->list, NULL, &s->strokes, NULL));
+    plan_options how = plb_plan_options_default();
+    CHECK(plb_plan(&s->list, &how, NULL, &s->strokes, NULL));
     return s->strokes.strokes.n;
 }
 
