@@ -6,7 +6,6 @@
 
 #include "base/array.h"
 #include "input/input.h"
-#include "plan/plan.h"
 
 #include <math.h>
 #include <string.h>
@@ -64,8 +63,7 @@ static bool load(plb_drawing *d, const char *file, const plb_options *o, const m
     if (!d->name)
         return plb_fail_memory(err);
     strcpy(d->name, in.name);
-    plan_options how = plb_plan_options_default();
-    how.seed = o->seed;
+    plan_options how = plb_api_plan_options(o);
     error late = {ERROR_NONE, ""};
     if (!fit(&d->list, o, &late) || !plb_plan(&d->list, &how, say, &d->strokes, &late))
         return plb_fail(err, late.kind, "%s: %s", d->name, late.text);

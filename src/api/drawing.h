@@ -6,11 +6,15 @@
 #define PLB_API_DRAWING_H
 
 #include "api/api_internal.h"
+#include "plan/plan.h"
 #include "stroke/stroke.h"
 #include "surface/page.h"
 
 /* Whether the options make sense. */
 bool plb_api_check(const plb_options *o, error *err);
+
+/* What the options, which make sense, ask of the plan. */
+plan_options plb_api_plan_options(const plb_options *o);
 
 /* The arm that is meant where the options leave it to the model. */
 plb_arm plb_api_arm(const plb_options *o);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Defaults of the drawing options and their check.
+ * Defaults of the drawing options, their check, and what they mean for the plan.
  */
 #include "api/drawing.h"
 
@@ -31,5 +31,22 @@ bool plb_api_check(const plb_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "the squiggle must be at most 1 m");
     if (o->model > PLB_MODEL_GRAPHITE || o->arm > PLB_ARM_SPRING || o->background > PLB_BACKGROUND_NONE)
         return plb_fail(err, ERROR_ARGUMENT, "there is no such model, arm or background");
+    if (o->fill > PLB_FILL_NONE)
+        return plb_fail(err, ERROR_ARGUMENT, "there is no such way with fills");
     return true;
+}
+
+static double width_of(const plb_options *o)
+{
+    return o->profile ? plb_profile_width(o->profile) : plb_plan_options_default().pencil_width;
+}
+
+plan_options plb_api_plan_options(const plb_options *o)
+{
+    static const fill_style fills[] = {[PLB_FILL_OUTLINE] = FILL_OUTLINE, [PLB_FILL_NONE] = FILL_NONE};
+    plan_options how = plb_plan_options_default();
+    how.fill = fills[o->fill];
+    how.pencil_width = width_of(o);
+    how.seed = o->seed;
+    return how;
 }

@@ -108,6 +108,11 @@ typedef enum {
     PLB_ARM_SPRING  /* the force model of the authors' earlier manuscript */
 } plb_arm;
 
+typedef enum {
+    PLB_FILL_OUTLINE, /* a filled shape is drawn as its outline */
+    PLB_FILL_NONE     /* not at all */
+} plb_fill;
+
 typedef enum { PLB_BACKGROUND_WHITE, PLB_BACKGROUND_NONE } plb_background;
 
 /* Always start from plb_options_default(): fields will be added. */
@@ -121,6 +126,7 @@ typedef struct {
     double dpi;                 /* pixels per inch of pictures; default 300, 10 to 4800 */
     double width, height;       /* size of the page, mm; 0: the drawing's own (one given: the other follows) */
     double scale;               /* factor on the drawing's own size; default 1; not with width or height */
+    plb_fill fill;              /* what becomes of filled shapes; default outline */
     plb_background background;  /* default white */
     const char *helper_dir;     /* where the helper program tap-svg lies; NULL: beside the program, else the installed place */
     plb_message_function message; /* NULL: silence */

@@ -106,6 +106,11 @@ static bool set_arm(void *p, const char *v)
     int i;
     return choose(v, (const char *const[]){"", "hand", "jerk", "spring"}, 4, &i) && i > 0 ? (((settings *)p)->o.arm = (plb_arm)i, true) : false;
 }
+static bool set_fill(void *p, const char *v)
+{
+    int i;
+    return choose(v, (const char *const[]){"outline", "none"}, 2, &i) ? (((settings *)p)->o.fill = (plb_fill)i, true) : false;
+}
 static bool set_background(void *p, const char *v)
 {
     int i;
@@ -150,6 +155,8 @@ static const option table[] = {
     {0, "squiggle", "LEN", "how far lines stray; 0: ruler-straight [5/300in: as measured]", set_squiggle},
     {0, "model", "graphite|hla", "how lines are made: as measured, or the papers' algorithm [graphite]", set_model},
     {0, "arm", "hand|jerk|spring", "how the arm moves [hand; with --model hla: jerk]", set_arm},
+    {0, NULL, NULL, "What is drawn", NULL},
+    {0, "fill", "outline|none", "what becomes of filled shapes [outline]", set_fill},
     {0, NULL, NULL, "Diagnosis", NULL},
     {0, "dump", "list|strokes|controls", "show what a stage made instead of drawing", set_dump},
     {'q', "quiet", NULL, "no warnings, no progress", set_quiet},

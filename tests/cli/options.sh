@@ -94,6 +94,18 @@ misused "--squiggle 1/0in" squiggle --squiggle 1/0in a.svg
 misused "--model of another name" model --model photo a.svg
 misused "--arm of another name" arm --arm left a.svg
 
+# ---- what is drawn ----
+cat >fill.svg <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40"><rect x="5" y="5" width="20" height="20"/>
+<path d="M2 35H38" fill="none" stroke="#000" stroke-width=".3"/></svg>
+SVG
+draws "no --fill" -o fill.png fill.svg
+draws "--fill outline" --fill outline -o fill-outline.png fill.svg
+same "outline is the default fill" fill-outline.png fill.png
+draws "--fill none" --fill none -o fill-none.png fill.svg
+is "--fill none leaves the line" "$("$PLUMBAGO" --fill none --dump=strokes fill.svg | grep -c '^stroke ')" 1
+misused "--fill of another name" fill --fill gold fill.svg
+
 # ---- the background ----
 draws "--background white" --background white -o white.png a.svg
 same "white is the default background" white.png default.png
@@ -120,7 +132,7 @@ is "-q keeps errors: one line" "$(wc -l <"$TMP/err")" 1
 # ---- wrong command lines ----
 misused "an unknown long option" "frobnicate" --frobnicate a.svg
 misused "an unknown short option" "Z" -Z a.svg
-for option in -o --output -p --pencil -d --dpi --width --height --scale -s --seed --squiggle --model --arm --background; do
+for option in -o --output -p --pencil -d --dpi --width --height --scale -s --seed --squiggle --model --arm --fill --background; do
     misused "$option without an argument" "${option#--}" $option
 done
 misused "--version with an argument" "version" --version=3
