@@ -26,6 +26,7 @@
 typedef struct {
     const shading *s;
     double strip_px;      /* strip pixels per page pixel */
+    double page_mm;       /* mm per page pixel */
     int samples;          /* per page pixel and direction */
     double half_width;    /* page pixels */
     patch p;
@@ -137,29 +138,84 @@ static void narrow(double c0, double c1, double *low, double *high)
         *high = *low - 1;
 }
 
-/* One row of samples of one piece, at height y (page pixels). */
-static void map_row(mapper *m, const piece *k, double y, uint8_t *to)
+/* A row of samples of one piece: the quantities of the banner at sample 0, and their steps. */
+typedef struct {
+    const piece *k;
+    double step, a, b, u, us; /* step: page px from sample to sample */
+    double x, y;              /* of sample 0, page px */
+} row_frame;
+
+static double row_a(const row_frame *r, int i)
 {
-    double step = 1.0 / m->samples, first = k->x0 + step / 2;
+    return r->a + i * r->k->b0.x * r->step;
+}
+
+static double row_b(const row_frame *r, int i)
+{
+    return r->b + i * r->k->b1.x * r->step;
+}
+
+static bool is_in_piece(const row_frame *r, int i)
+{
+    double u = r->u + i * r->us;
+    return !(row_a(r, i) < 0 || row_b(r, i) >= 0 || u > r->k->right || u < -r->k->left);
+}
+
+static double row_along(const mapper *m, const row_frame *r, int i)
+{
+    double a = row_a(r, i), b = row_b(r, i);
+    return r->k->s0 + r->k->length * m->strip_px * a / (a - b);
+}
+
+/* Samples first to last, all within the piece: `along` is taken to run evenly between them, as it does on straight lines
+ * and nearly on others. */
+static void shade_run(const mapper *m, const row_frame *r, int first, int last, uint8_t *to)
+{
+    uint8_t dark[PATCH_SIDE * MOST_SAMPLES];
+    double along = row_along(m, r, first), mm = m->page_mm;
+    sample_row at = {last - first + 1, along, 0, (r->u + first * r->us) * m->strip_px, r->us * m->strip_px,
+                     (r->x + first * r->step) * mm, r->y * mm, r->step * mm};
+    if (last > first)
+        at.along_step = (row_along(m, r, last) - along) / (last - first);
+    m->s->row(m->s->texture, &at, dark);
+    for (int i = 0; i < at.n; i++)
+        to[first + i] = dark[i] > to[first + i] ? dark[i] : to[first + i];
+}
+
+static void shade_one_by_one(const mapper *m, const row_frame *r, int first, int last, uint8_t *to)
+{
+    for (int i = first; i <= last; i++)
+        if (is_in_piece(r, i))
+            shade_run(m, r, i, i, to);
+}
+
+/* One row of samples of one piece, at height y (page pixels). */
+static void map_row(const mapper *m, const piece *k, double y, uint8_t *to)
+{
+    double step = 1.0 / m->samples, x = k->x0 + step / 2;
+    row_frame r = {.k = k, .step = step, .us = -k->t.y * step, .x = x, .y = y};
     double dy0 = y - k->p0.y, dy1 = y - k->p1.y;
-    double a0 = (first - k->p0.x) * k->b0.x + dy0 * k->b0.y, b0 = (first - k->p1.x) * k->b1.x + dy1 * k->b1.y;
-    double u0 = k->t.x * dy0 - k->t.y * (first - k->p0.x), us = -k->t.y * step;
+    r.a = (x - k->p0.x) * k->b0.x + dy0 * k->b0.y;
+    r.b = (x - k->p1.x) * k->b1.x + dy1 * k->b1.y;
+    r.u = k->t.x * dy0 - k->t.y * (x - k->p0.x);
     double low = -0.5, high = (double)(k->x1 - k->x0) * m->samples - 0.5;
-    narrow(a0, k->b0.x * step, &low, &high);
-    narrow(-b0, -k->b1.x * step, &low, &high);
-    narrow(k->left + u0, us, &low, &high);
-    narrow(k->right - u0, -us, &low, &high);
+    narrow(r.a, k->b0.x * step, &low, &high);
+    narrow(-r.b, -k->b1.x * step, &low, &high);
+    narrow(k->left + r.u, r.us, &low, &high);
+    narrow(k->right - r.u, -r.us, &low, &high);
     if (!(low <= high)) /* and so both fit an int */
         return;
-    for (int i = low < 0 ? 0 : (int)ceil(low - 1e-9); i <= high + 1e-9; i++) {
-        double a = a0 + i * k->b0.x * step, b = b0 + i * k->b1.x * step, u = u0 + i * us;
-        if (a < 0 || b >= 0 || u > k->right || u < -k->left)
-            continue;
-        double along = k->s0 + k->length * m->strip_px * a / (a - b);
-        int darkness = m->s->darkness(m->s->texture, along, u * m->strip_px);
-        if (darkness > to[i])
-            to[i] = (uint8_t)darkness;
+    int first = low < 0 ? 0 : (int)ceil(low - 1e-9), last = (int)floor(high + 1e-9);
+    if (m->s->one_by_one) {
+        shade_one_by_one(m, &r, first, last, to);
+        return;
     }
+    while (first <= last && !is_in_piece(&r, first))
+        first++;
+    while (first <= last && !is_in_piece(&r, last))
+        last--;
+    if (first <= last)
+        shade_run(m, &r, first, last, to);
 }
 
 static int clamp_pixel(double v)
@@ -249,7 +305,7 @@ static bool make_fine(map_room *room, size_t side)
 
 bool plb_strip_map(const shading *s, double dpi, const path_samples *path, bool closed, map_room *room, patch_sink sink, void *closure)
 {
-    mapper m = {.s = s, .strip_px = s->dpi / dpi, .sink = sink, .closure = closure};
+    mapper m = {.s = s, .strip_px = s->dpi / dpi, .page_mm = MM_PER_INCH / dpi, .sink = sink, .closure = closure};
     double n = floor(m.strip_px + 0.5); /* as dense as the texture, nearly */
     m.samples = n < 1 ? 1 : n > MOST_SAMPLES ? MOST_SAMPLES : (int)n;
     m.half_width = s->half_width / m.strip_px;

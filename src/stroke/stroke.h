@@ -92,11 +92,20 @@ void plb_texture_wrap(strip *s);
 /* All three in order; `closed` strokes are wrapped. */
 bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint64_t seed, uint64_t identity, error *err);
 
+/* Evenly spaced samples of a texture, a row of them on the page. */
+typedef struct {
+    int n;
+    double along, along_step;   /* the first one's place and the way to each next, px of the texture from the line's start */
+    double across, across_step; /* … and from its centreline, positive to the right */
+    double x, y, step;          /* the first one's place on the page and the way to each next (in x), mm */
+} sample_row;
+
 /* A texture in the strip frame, as the mapping asks for it. */
 typedef struct {
     const void *texture;
-    /* Darkness, 0 to 255, at a place in pixels of the profile: along the line from its start, and across to the right. */
-    int (*darkness)(const void *texture, double along, double across);
+    /* Darkness, 0 to 255, of each sample of the row, into out[0 .. n). */
+    void (*row)(const void *texture, const sample_row *at, uint8_t *out);
+    bool one_by_one;   /* rows have one sample: each at its exact place, no matter what it costs */
     double half_width; /* px: farther across there is none */
     double beyond;     /* px: how far it reaches beyond the ends of an open line */
     double dpi;        /* of its pixels */

@@ -365,9 +365,8 @@ static void look_beside(const grain *g, double *along, double *across)
     *across += (double)g->ragged * ((double)(h >> 16 & 0xffff) / 32768 - 1);
 }
 
-static int darkness(const void *texture, double along, double across)
+static inline int darkness(const grain *g, double along, double across)
 {
-    const grain *g = texture;
     if ((along < 0 || along >= g->columns) && !enter_cap(g, &along, &across))
         return 0;
     double exact = across;
@@ -382,6 +381,12 @@ static int darkness(const void *texture, double along, double across)
     int score = g->score[(size_t)s * (size_t)g->rows + (size_t)row];
     float d = g->depth * g->pencil->grain->darkness[m > 255 ? 255 : m][(score + 128) >> 1];
     return d > 255 ? 255 : (int)(d + 0.5f);
+}
+
+static void darkness_of_row(const void *texture, const sample_row *at, uint8_t *out)
+{
+    for (int i = 0; i < at->n; i++)
+        out[i] = (uint8_t)darkness(texture, at->along + i * at->along_step, at->across + i * at->across_step);
 }
 
 /* The line's own figures, and what follows from them for its places. */
@@ -420,6 +425,6 @@ shading plb_grain_shading(grain *g, double dpi, double page_dpi)
 {
     g->ragged = page_dpi > GRAIN_RAGGED_DPI ? 0.5f : 0;
     double beyond = (double)(g->cap_first > g->cap_last ? g->cap_first : g->cap_last);
-    shading r = {g, darkness, g->rows / 2 + 0.5, beyond, dpi};
+    shading r = {g, darkness_of_row, false, g->rows / 2 + 0.5, beyond, dpi};
     return r;
 }

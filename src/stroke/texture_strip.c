@@ -17,15 +17,18 @@ static inline int read_strip(const strip *s, double x, double y)
     return 255 * 256 - ((top * (256 - fy) + bottom * fy + 128) >> 8);
 }
 
-static int darkness(const void *texture, double along, double across)
+static void row(const void *texture, const sample_row *at, uint8_t *out)
 {
     const strip *s = texture;
-    double x = along + STRIP_MARGIN - 0.5, y = across + (s->rows - 1) / 2.0; /* sample 0 is the middle of its pixel */
-    return (read_strip(s, x, y) + 128) >> 8;
+    for (int i = 0; i < at->n; i++) {
+        double x = at->along + i * at->along_step + STRIP_MARGIN - 0.5; /* sample 0 is the middle of its pixel */
+        double y = at->across + i * at->across_step + (s->rows - 1) / 2.0;
+        out[i] = (uint8_t)((read_strip(s, x, y) + 128) >> 8);
+    }
 }
 
 shading plb_strip_shading(const strip *s, double dpi)
 {
-    shading r = {s, darkness, (s->rows - 1) / 2.0, STRIP_MARGIN - 0.5, dpi};
+    shading r = {s, row, true, (s->rows - 1) / 2.0, STRIP_MARGIN - 0.5, dpi};
     return r;
 }

@@ -117,7 +117,10 @@ static void squiggle_scales_the_hand(void)
 static double sample(grain *g, double along, double across)
 {
     shading s = plb_grain_shading(g, 300, 300);
-    return s.darkness(s.texture, along, across);
+    sample_row at = {.n = 1, .along = along, .across = across};
+    uint8_t dark;
+    s.row(s.texture, &at, &dark);
+    return dark;
 }
 
 static bool add_darkness(void *closure, const patch *p)
