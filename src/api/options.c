@@ -29,8 +29,8 @@ bool plb_api_check(const plb_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "the page's size must be at most 100 m");
     if (!(o->squiggle <= 1000))
         return plb_fail(err, ERROR_ARGUMENT, "the squiggle must be at most 1 m");
-    if (o->model > PLB_MODEL_GRAPHITE || o->arm > PLB_ARM_SPRING || o->background > PLB_BACKGROUND_NONE)
-        return plb_fail(err, ERROR_ARGUMENT, "there is no such model, arm or background");
+    if (o->model > PLB_MODEL_GRAPHITE || o->arm > PLB_ARM_SPRING || o->background > PLB_BACKGROUND_NONE || o->handed > PLB_HAND_NONE)
+        return plb_fail(err, ERROR_ARGUMENT, "there is no such model, arm, hand or background");
     if (o->fill > PLB_FILL_NONE)
         return plb_fail(err, ERROR_ARGUMENT, "there is no such way with fills");
     return true;

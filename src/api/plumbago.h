@@ -113,6 +113,9 @@ typedef enum {
     PLB_FILL_NONE     /* not at all */
 } plb_fill;
 
+/* Which hand draws: it has its own way with lines of each direction (plumbago(7)). */
+typedef enum { PLB_HAND_RIGHT, PLB_HAND_LEFT, PLB_HAND_NONE } plb_handed;
+
 typedef enum { PLB_BACKGROUND_WHITE, PLB_BACKGROUND_NONE } plb_background;
 
 /* Always start from plb_options_default(): fields will be added. */
@@ -121,6 +124,7 @@ typedef struct {
     uint64_t seed;              /* default 1 */
     plb_model model;            /* default graphite */
     plb_arm arm;                /* how the arm moves; default: the model's own */
+    plb_handed handed;          /* default right; none: every direction alike. Model graphite, arm hand */
     double squiggle;            /* deviation of the path, mm; 0: ruler-straight; negative, the default: the arm's own.
                                    jerk, spring: the largest; hand: as measured at 5/300 in, else in proportion */
     double dpi;                 /* pixels per inch of pictures; default 300, 10 to 4800 */

@@ -32,6 +32,8 @@ bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
     }
     plb_graphite_init(&t->ink, t->profile->p);
     t->stroke = (stroke_options){.pencil = t->pencil, .seed = o->seed, .squiggle = o->squiggle, .dpi = o->dpi};
+    static const handedness handed[] = {HANDED_RIGHT, HANDED_LEFT, HANDED_NONE};
+    t->stroke.handed = handed[o->handed];
     t->stroke.model = o->model == PLB_MODEL_GRAPHITE ? MODEL_GRAPHITE : MODEL_HLA;
     t->stroke.arm = plb_api_arm(o) == PLB_ARM_SPRING ? ARM_SPRING : plb_api_arm(o) == PLB_ARM_JERK ? ARM_JERK : ARM_HAND;
     return true;

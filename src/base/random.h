@@ -19,7 +19,8 @@ typedef enum {
     PURPOSE_LINE = 6,     /* a line's own depth, width, roughness … */
     PURPOSE_SLOW = 7,     /* slow changes of the section along the line */
     PURPOSE_CHAIN = 8,    /* smooth and broken columns */
-    PURPOSE_GRAIN = 9     /* innovations of the grain */
+    PURPOSE_GRAIN = 9,    /* innovations of the grain */
+    PURPOSE_HOOK = 20,    /* hooks at free ends */
 } random_purpose;
 
 static inline uint64_t random_mix(uint64_t x)

@@ -16,8 +16,6 @@
 
 /* Median amplitude of each mode, % of the length. */
 static const double median_percent[HAND_MODES] = {.56, .22, .14, .095, .066, .044, .034, .031};
-/* The median of |x| for a standard normal x: amplitudes are taken to be normal. */
-#define MEDIAN_OF_NORMAL 0.6745
 /* Shorter waves than this the hand does not make. */
 #define SMOOTH_BELOW_MM 4.0
 /* A mode is at most this many times its median: a hand that slips farther starts anew (90th percentile of the extreme measured:
@@ -27,13 +25,15 @@ static const double median_percent[HAND_MODES] = {.56, .22, .14, .095, .066, .04
 /* The longest lines measured: beyond, a draughtsman moves the arm on, and strays no farther. */
 #define LONGEST_MEASURED_MM 250.0
 
-/* Normal enough for amplitudes: the sum of twelve uniform numbers, less its mean; without any function of libm. */
-static double normal(uint64_t key, uint64_t index)
+/* A number that is normal enough for an amplitude, in units of the median of its size: the sum of four uniform ones of
+ * 16 bits, less its mean. The median size of that sum is 0.4022 (the root of its distribution, Irwin and Hall's of 4). */
+#define MEDIAN_OF_FOUR 0.4022
+static double amplitude(uint64_t key, uint64_t index)
 {
-    double sum = 0;
-    for (uint64_t k = 0; k < 12; k++)
-        sum += random_unit(key, index * 12 + k);
-    return sum - 6;
+    uint64_t bits = random_bits(key, index);
+    uint64_t sum = (bits & 0xffff) + (bits >> 16 & 0xffff) + (bits >> 32 & 0xffff) + (bits >> 48);
+    double x = ((double)sum + 2 - 2 * 65536.0) / (65536.0 * MEDIAN_OF_FOUR);
+    return x > LARGEST_OF_MEDIAN ? LARGEST_OF_MEDIAN : x < -LARGEST_OF_MEDIAN ? -LARGEST_OF_MEDIAN : x;
 }
 
 hand plb_hand(double length, bool closed, uint64_t identity, const stroke_options *o)
@@ -43,23 +43,59 @@ hand plb_hand(double length, bool closed, uint64_t identity, const stroke_option
     double papers_own = 5 * MM_PER_PAPER_PX; /* a --squiggle of the default leaves the hand as it was measured */
     double strength = o->squiggle < 0 ? 1 : o->squiggle / papers_own;
     double reach = length < LONGEST_MEASURED_MM ? length : LONGEST_MEASURED_MM;
+    h.strength = strength;
     for (int k = 0; k < HAND_MODES; k++) {
-        double wave = closed ? length / (k / 2 + 2) : 2 * length / (k + 1), limit = LARGEST_OF_MEDIAN * MEDIAN_OF_NORMAL;
-        double x = normal(key, (uint64_t)k);
-        x = x > limit ? limit : x < -limit ? -limit : x;
+        double wave = closed ? length / (k / 2 + 2) : 2 * length / (k + 1);
         if (wave >= SMOOTH_BELOW_MM || k == 0)
-            h.amplitude[k] = strength * x * median_percent[k] / MEDIAN_OF_NORMAL / 100 * reach;
+            h.amplitude[k] = strength * amplitude(key, (uint64_t)k) * median_percent[k] / 100 * reach;
     }
     return h;
 }
 
-/* An open line keeps its ends; a closed one runs on across its joint: modes in pairs of cosine and sine, from the second
- * harmonic on, since the first would only move a circle. */
+/* An open line keeps its ends: the sum of a_k sin(k x), by sin((k + 1) x) = 2 cos(x) sin(k x) - sin((k - 1) x). */
+static double open_modes(const hand *h, double x)
+{
+    double twice = 2 * cos(x), before = 0, now = sin(x), sum = 0;
+    for (int k = 0; k < HAND_MODES; k++) {
+        sum += h->amplitude[k] * now;
+        double next = twice * now - before;
+        before = now;
+        now = next;
+    }
+    return sum;
+}
+
+/* A closed one runs on across its joint: modes in pairs of cosine and sine, from the second harmonic on, since the first
+ * would only move a circle. */
+static double closed_modes(const hand *h, double x)
+{
+    double c = cos(2 * x), s = sin(2 * x), re = c, im = s, sum = 0;
+    for (int k = 0; k < HAND_MODES; k += 2) {
+        double next = re * c - im * s;
+        im = re * s + im * c;
+        re = next;
+        sum += h->amplitude[k] * re + h->amplitude[k + 1] * im;
+    }
+    return sum;
+}
+
+/* What the ends and the direction add. */
+static double asides(const hand *h, double along)
+{
+    double u = h->backward ? 1 - along / h->length : along / h->length, to_last = h->length - along;
+    double sum = h->lean * 6.75 * u * u * (1 - u) + h->drift * u * u * u;
+    if (along < h->hook_reach)
+        sum += h->hook_first * (1 - along / h->hook_reach) * (1 - along / h->hook_reach);
+    if (to_last < h->hook_reach)
+        sum += h->hook_last * (1 - to_last / h->hook_reach) * (1 - to_last / h->hook_reach);
+    return sum;
+}
+
 double plb_hand_off(const hand *h, double along)
 {
-    double x = along / h->length * PLB_PI, sum = 0;
-    for (int k = 0; k < HAND_MODES; k++)
-        if (h->amplitude[k] != 0)
-            sum += h->amplitude[k] * (!h->closed ? sin((k + 1) * x) : k & 1 ? sin((k / 2 + 2) * 2 * x) : cos((k / 2 + 2) * 2 * x));
-    return sum;
+    double x = along / h->length * PLB_PI;
+    if (h->closed)
+        return closed_modes(h, x);
+    double u = h->backward ? 1 - along / h->length : along / h->length;
+    return open_modes(h, x) * (1 + h->late * (2 * u - 1)) + asides(h, along);
 }

@@ -29,14 +29,11 @@ bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint6
     return true;
 }
 
-/* A hand starts at the left or top end (as the short strokes measured were taken to be drawn), and lifts only where the
- * line ends, not at a corner. */
+/* The pencil is lifted only where the line ends, not at a corner. */
 static grain_ends ends_of(const path_samples *path, const stroke *s)
 {
-    point way = point_sub(path->v[path->n - 1].at, path->v[0].at);
-    bool forward = way.x + way.y >= 0;
-    grain_end free_first = forward ? GRAIN_START : GRAIN_LEAVE, free_last = forward ? GRAIN_LEAVE : GRAIN_START;
-    if (s->closed)
+    grain_end free_first = path->backward ? GRAIN_LEAVE : GRAIN_START, free_last = path->backward ? GRAIN_START : GRAIN_LEAVE;
+    if (path->closed)
         return (grain_ends){GRAIN_JOINT, GRAIN_JOINT};
     return (grain_ends){s->corner_first ? GRAIN_CORNER : free_first, s->corner_last ? GRAIN_CORNER : free_last};
 }
@@ -61,5 +58,5 @@ bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_opti
             return false;
         texture = plb_strip_shading(&scratch->strip, dpi);
     }
-    return plb_strip_map(&texture, o->dpi, path, s->closed, &scratch->map, sink, closure);
+    return plb_strip_map(&texture, o->dpi, path, path->closed, &scratch->map, sink, closure);
 }

@@ -17,6 +17,7 @@ typedef enum {
     MODEL_GRAPHITE /* as measured on real lines */
 } line_model;
 typedef enum { ARM_JERK, ARM_SPRING, ARM_HAND } arm_model;
+typedef enum { HANDED_NONE, HANDED_RIGHT, HANDED_LEFT } handedness; /* NONE: no direction is drawn in another way */
 
 /* A profile made ready for drawing: tables computed once. Immutable; shared by all strokes and threads. */
 typedef struct pencil pencil;
@@ -29,6 +30,7 @@ typedef struct {
     uint64_t seed;
     line_model model;
     arm_model arm;
+    handedness handed;
     double squiggle; /* largest deviation D, mm, >= 0; negative: the arm's own */
     double dpi;      /* of the page's pixels */
 } stroke_options;
@@ -46,16 +48,31 @@ size_t plb_path_controls(double length, uint64_t identity, const stroke_options 
 /* The largest deviation D in force for a line of `length` mm, in mm: it shrinks with short lines (plumbago(7)). */
 double plb_path_squiggle(double length, const stroke_options *o);
 
-/* How a free hand deviates from one line (path_hand.c): ARM_HAND's, instead of D at control points. */
+/* How a free hand deviates from one line: ARM_HAND's, instead of D at control points. path_hand.c fills the modes,
+ * path_direction.c and path_ends.c the rest. All in the line's own frame, first to last, to the left; mm. */
 #define HAND_MODES 8
 typedef struct {
-    double length; /* mm */
+    double length;
     bool closed;
-    double amplitude[HAND_MODES]; /* mm */
+    double strength;           /* 1: as measured */
+    double amplitude[HAND_MODES];
+    double late;               /* the second half of the way deviates so much more, and the first less (a share) */
+    double lean, drift;        /* of the way's second half, and of its free end */
+    bool backward;             /* the hand draws from last to first */
+    double hook_first, hook_last, hook_reach; /* of free ends, and over which length */
 } hand;
 hand plb_hand(double length, bool closed, uint64_t identity, const stroke_options *o);
 /* How far off the line the hand is at `along` mm from its start: mm to the left of the direction. */
 double plb_hand_off(const hand *h, double along);
+
+/* Whether a hand draws a line from its last point to its first; `way` leads from first to last (path_direction.c). */
+bool plb_hand_backward(point way, handedness handed);
+/* What depends on the direction in which a line is drawn. `free_end`: no other line goes on where it ends. */
+void plb_hand_direct(hand *h, point way, bool free_end, const stroke_options *o);
+/* The pressure at the beginning and at the end of the movement, times the usual. */
+void plb_hand_pressure(point way, double length, const stroke_options *o, float *begin, float *end);
+/* Hooks at the ends that are free (path_ends.c). */
+void plb_hand_hooks(hand *h, bool free_first, bool free_last, uint64_t identity, const stroke_options *o);
 
 /* A point of a drawn path. */
 typedef struct {
@@ -63,9 +80,16 @@ typedef struct {
     point tangent; /* unit vector */
     double along;  /* arc length from the start, mm */
 } path_sample;
-typedef ARRAY(path_sample) path_samples;
+/* A drawn path: an ARRAY of samples, and how it is drawn. */
+typedef struct {
+    path_sample *v;
+    size_t n, room;
+    bool closed;   /* ends where it starts, smoothly: what goes along it runs on across the joint */
+    bool backward; /* the hand starts at the last sample: there the pencil is set down, at the first it is lifted */
+    float pressure_first, pressure_last; /* times the stroke's own pressure; evenly changing along the path; usually 1 */
+} path_samples;
 
-/* The drawn path of stroke `s`, sampled closely enough to be joined by straight lines (path_spline.c). `out` is
+/* The drawn path of stroke `s`, sampled closely enough to be joined by straight lines (path.c). `out` is
  * replaced. */
 bool plb_path_sample(const stroke_list *list, const stroke *s, const stroke_options *o, path_samples *out, error *err);
 /* The control points as places on the page, for --dump=controls. */

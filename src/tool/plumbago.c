@@ -111,6 +111,11 @@ static bool set_fill(void *p, const char *v)
     int i;
     return choose(v, (const char *const[]){"outline", "none"}, 2, &i) ? (((settings *)p)->o.fill = (plb_fill)i, true) : false;
 }
+static bool set_hand(void *p, const char *v)
+{
+    int i;
+    return choose(v, (const char *const[]){"right", "left", "none"}, 3, &i) ? (((settings *)p)->o.handed = (plb_handed)i, true) : false;
+}
 static bool set_background(void *p, const char *v)
 {
     int i;
@@ -157,6 +162,7 @@ static const option table[] = {
     {0, "arm", "hand|jerk|spring", "how the arm moves [hand; with --model hla: jerk]", set_arm},
     {0, NULL, NULL, "What is drawn", NULL},
     {0, "fill", "outline|none", "what becomes of filled shapes [outline]", set_fill},
+    {0, "hand", "right|left|none", "which hand draws; none: all directions alike [right]", set_hand},
     {0, NULL, NULL, "Diagnosis", NULL},
     {0, "dump", "list|strokes|controls", "show what a stage made instead of drawing", set_dump},
     {'q', "quiet", NULL, "no warnings, no progress", set_quiet},

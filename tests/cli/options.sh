@@ -106,6 +106,16 @@ draws "--fill none" --fill none -o fill-none.png fill.svg
 is "--fill none leaves the line" "$("$PLUMBAGO" --fill none --dump=strokes fill.svg | grep -c '^stroke ')" 1
 misused "--fill of another name" fill --fill gold fill.svg
 
+draws "--hand right" --hand right -o right.png a.svg
+same "right is the default hand" right.png default.png
+draws "--hand left" --hand left -o left.png a.svg
+differ "--hand left draws otherwise" left.png right.png
+draws "--hand none" --hand none -o any.png a.svg
+differ "--hand none draws otherwise" any.png right.png
+draws "--hand left with hla" --hand left --model hla -o hla-left.png a.svg
+same "hla knows no hands" hla-left.png hla.png
+misused "--hand of another name" hand --hand both a.svg
+
 # ---- the background ----
 draws "--background white" --background white -o white.png a.svg
 same "white is the default background" white.png default.png

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The arm's path over many seeds: control points per length class (001 table 1), their places (equation 1), the range
- * and independence of D, and that no two lines are alike.
+ * and independence of D, and that no two lines are alike; the free hand's wobble, hooks and directions.
  */
 #include "check.h"
 
@@ -189,6 +189,169 @@ static void ends_stay_where_the_drawing_has_them(void)
     }
 }
 
+/* ---- the free hand ---- */
+
+typedef struct {
+    point ends[2];
+    stroke s;
+    stroke_list list;
+    stroke_options o;
+    path_samples path;
+} hand_line;
+
+/* Draws a line along `way` with the graphite model's hand. */
+static void draw_by_hand(hand_line *l, point way, uint64_t identity)
+{
+    l->ends[0] = (point){300, 300};
+    l->ends[1] = point_add(l->ends[0], way);
+    l->s.touch = TOUCH_USUAL;
+    l->s.identity = random_mix(identity);
+    l->s.n = 2;
+    l->list = (stroke_list){.strokes = {&l->s, 1, 1}, .points = {l->ends, 2, 2}};
+    l->o.seed = 3;
+    l->o.model = MODEL_GRAPHITE;
+    l->o.arm = ARM_HAND;
+    l->o.dpi = 300;
+    CHECK(plb_path_sample(&l->list, &l->s, &l->o, &l->path, NULL));
+}
+
+/* How far the path is off the line at a share of its length, mm to the left of the line's direction. */
+static double off_at(const hand_line *l, double share)
+{
+    point way = point_sub(l->ends[1], l->ends[0]);
+    double length = plb_point_length(way);
+    size_t i = 1;
+    while (i + 1 < l->path.n && point_dot(point_sub(l->path.v[i].at, l->ends[0]), way) / length < share * length)
+        i++;
+    point a = point_sub(l->path.v[i - 1].at, l->ends[0]), b = point_sub(l->path.v[i].at, l->ends[0]);
+    double along_a = point_dot(a, way) / length, along_b = point_dot(b, way) / length;
+    return -point_cross(way, point_mix(a, b, (share * length - along_a) / (along_b - along_a))) / length;
+}
+
+static int by_size(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+static double median_of(double *v, int n)
+{
+    qsort(v, (size_t)n, sizeof *v, by_size);
+    return v[n / 2];
+}
+
+/* The drawn paths themselves, sine mode by sine mode, over lines of all directions: the medians measured on scans. */
+static void the_drawn_path_wobbles_as_measured(void)
+{
+    enum { LINES = 1500, MODES = 6 };
+    static const double measured[MODES] = {.56, .22, .14, .095, .066, .044};
+    static double amplitude[MODES][LINES], extreme[LINES];
+    hand_line l = {.o = {.squiggle = -1, .handed = HANDED_RIGHT}};
+    for (int i = 0; i < LINES; i++) {
+        double angle = 2 * PLB_PI * i / LINES, length = 60;
+        l.s.corner_first = l.s.corner_last = true;
+        draw_by_hand(&l, (point){length * cos(angle), length * sin(angle)}, (uint64_t)i);
+        double sum[MODES] = {0};
+        extreme[i] = 0;
+        for (int k = 1; k < 100; k++) {
+            double off = off_at(&l, k / 100.0);
+            extreme[i] = fmax(extreme[i], fabs(off) / length * 100);
+            for (int m = 0; m < MODES; m++)
+                sum[m] += off * sin((m + 1) * PLB_PI * k / 100.0) / 50;
+        }
+        for (int m = 0; m < MODES; m++)
+            amplitude[m][i] = fabs(sum[m]) / length * 100;
+    }
+    for (int m = 0; m < MODES; m++)
+        CHECK_RANGE(median_of(amplitude[m], LINES) / measured[m], 0.85, 1.2);
+    CHECK_RANGE(median_of(extreme, LINES), 0.6, 1.2); /* measured: 1.0 */
+    CHECK_RANGE(extreme[LINES / 10], 0.25, 0.6);      /* 0.44 */
+    CHECK_RANGE(extreme[LINES * 9 / 10], 1.2, 2.2);   /* 2.2 over six hands; one hand varies less */
+    array_free(&l.path);
+}
+
+/* The last 3 px lie 0.5 to 0.7 px off, one end in five more than 1.5 px; not at corners, nor on ruled lines. */
+static void free_ends_hook_as_measured(void)
+{
+    enum { LINES = 3000 };
+    double beyond = 0, mean = 0;
+    hand_line l = {.o = {.squiggle = -1, .handed = HANDED_NONE}};
+    for (int i = 0; i < LINES; i++) {
+        draw_by_hand(&l, (point){40 * PX, 0}, (uint64_t)i);
+        hand h = plb_hand(40 * PX, false, l.s.identity, &l.o);
+        for (int end = 0; end < 2; end++) {
+            beyond += fabs(off_at(&l, end)) / PX > 1.5;
+            for (int px = 0; px < 3; px++) {
+                double share = end ? 1 - px / 40.0 : px / 40.0;
+                mean += fabs(off_at(&l, share) - plb_hand_off(&h, share * 40 * PX)) / PX / 3;
+            }
+        }
+    }
+    CHECK_RANGE(beyond / (2 * LINES), 0.18, 0.22);
+    CHECK_RANGE(mean / (2 * LINES), 0.5, 0.75);
+    l.s.corner_first = l.s.corner_last = true;
+    draw_by_hand(&l, (point){40 * PX, 5}, 4);
+    CHECK(plb_point_distance(l.path.v[0].at, l.ends[0]) < 1e-9 && plb_point_distance(l.path.v[l.path.n - 1].at, l.ends[1]) < 1e-9);
+    l.s.corner_first = l.s.corner_last = false;
+    l.o.squiggle = 0;
+    draw_by_hand(&l, (point){40 * PX, 5}, 4);
+    CHECK(fabs(off_at(&l, 0)) < 1e-9 && fabs(off_at(&l, 1)) < 1e-9);
+    array_free(&l.path);
+}
+
+/* The mean over many lines of how far they are off at `share` of the way the hand goes, mm on the page upward. */
+static double mean_rise(hand_line *l, point way, double share)
+{
+    enum { LINES = 2000 };
+    double sum = 0;
+    for (int i = 0; i < LINES; i++) {
+        draw_by_hand(l, way, (uint64_t)i);
+        double off = off_at(l, l->path.backward ? 1 - share : share);
+        sum += (way.x > 0 ? off : -off) / LINES;
+    }
+    return sum;
+}
+
+/* The thesis, chapter 7: rightward lines end higher and lighter, leftward ones lower and darker; a left hand mirrors it;
+ * lines toward the body stray less. All of it small. */
+static void lines_differ_by_direction(void)
+{
+    hand_line l = {.o = {.squiggle = -1, .handed = HANDED_RIGHT}};
+    CHECK_RANGE(mean_rise(&l, (point){80, 0}, 0.7), 0.06, 0.25);
+    CHECK(!l.path.backward && l.path.pressure_last < 0.97f && l.path.pressure_first > 1);
+    CHECK_RANGE(mean_rise(&l, (point){80, 0}, 1), 0.04, 0.13);
+    CHECK_RANGE(mean_rise(&l, (point){-80, 80.1}, 0.7), -0.25, -0.03); /* down is drawn downwards: to the left */
+    CHECK(!l.path.backward && l.path.pressure_last > 1.03f);
+    CHECK_RANGE(mean_rise(&l, (point){80, -80.1}, 0.7), -0.25, -0.03); /* the same line, its points the other way round */
+    CHECK(l.path.backward && l.path.pressure_first > 1.03f);
+    l.o.handed = HANDED_LEFT;
+    CHECK_RANGE(mean_rise(&l, (point){80, 0}, 0.7), 0.06, 0.25); /* drawn to the left, and higher */
+    CHECK(l.path.backward && l.path.pressure_first < 0.97f);
+    l.o.handed = HANDED_NONE;
+    CHECK_RANGE(mean_rise(&l, (point){80, 0}, 0.7), -0.05, 0.05);
+    CHECK(l.path.pressure_first == 1 && l.path.pressure_last == 1);
+    hand down = plb_hand(80, false, 5, &l.o), up = down;
+    l.o.handed = HANDED_RIGHT;
+    plb_hand_direct(&down, (point){0, 80}, false, &l.o);
+    plb_hand_direct(&up, (point){80, -60}, false, &l.o);
+    CHECK(fabs(down.amplitude[0]) < 0.85 * fabs(up.amplitude[0]));
+    array_free(&l.path);
+}
+
+/* Accurate first, deviating after the middle. */
+static void the_second_half_strays_more(void)
+{
+    double first = 0, second = 0;
+    hand_line l = {.o = {.squiggle = -1, .handed = HANDED_RIGHT}};
+    for (int i = 0; i < 2000; i++) {
+        draw_by_hand(&l, (point){0, 90}, (uint64_t)i);
+        first += fabs(off_at(&l, 0.25));
+        second += fabs(off_at(&l, 0.75));
+    }
+    CHECK_RANGE(second / first, 1.1, 1.6);
+    array_free(&l.path);
+}
+
 int main(void)
 {
     RUN(control_points_per_length_class);
@@ -198,5 +361,9 @@ int main(void)
     RUN(squiggle_zero_is_ruler_straight);
     RUN(parallel_lines_differ);
     RUN(ends_stay_where_the_drawing_has_them);
+    RUN(the_drawn_path_wobbles_as_measured);
+    RUN(free_ends_hook_as_measured);
+    RUN(lines_differ_by_direction);
+    RUN(the_second_half_strays_more);
     CHECK_EXIT;
 }

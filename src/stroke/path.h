@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the files of the path share: a base line to read from, samples to write.
+ */
+#ifndef PLB_STROKE_PATH_H
+#define PLB_STROKE_PATH_H
+
+#include "stroke/stroke.h"
+
+/* A base line, a polyline in mm, with a cursor, since it is read from start to end. */
+typedef struct {
+    const point *v;
+    size_t n, at;    /* the segment from at to at + 1 … */
+    double passed;   /* … begins at this arc length */
+    bool closed;
+} base_line;
+
+/* path_base.c */
+base_line plb_base_line(const stroke_list *list, const stroke *s);
+double plb_base_length(const base_line *b);
+/* The place `along` mm from the start and `off` mm to the left of the direction there; moves the cursor. */
+point plb_base_place(base_line *b, double along, double off);
+/* Arc lengths and tangents of samples whose places are known; samples that coincide with the one before are dropped. */
+void plb_path_measure(path_samples *out, bool closed);
+
+/* path_spline.c: the papers' path of a line of `length` mm. False when out of memory. */
+bool plb_path_spline(base_line *b, const stroke *s, double length, const stroke_options *o, path_samples *out);
+/* Its control points in the line's own frame; their count. */
+size_t plb_path_spline_controls(double length, const stroke *s, const stroke_options *o, control c[CONTROLS_MAX]);
+/* path_straight.c, path_curve.c: a free hand's path along a straight line, along a curve. False when out of memory. */
+bool plb_trace_line(const base_line *b, double length, const hand *h, path_samples *out);
+bool plb_trace_curve(base_line *b, double length, const hand *h, path_samples *out);
+
+#endif

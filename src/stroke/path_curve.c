@@ -1,0 +1,23 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Stroke, stage 2, the free hand along a curve.
+ */
+#include "stroke/path.h"
+
+#include <math.h>
+
+#define STEP_MM 0.25
+#define FEWEST_STEPS 16
+
+bool plb_trace_curve(base_line *b, double length, const hand *h, path_samples *out)
+{
+    double n = fmax(ceil(length / STEP_MM), FEWEST_STEPS);
+    if (!array_reserve(out, (size_t)n + 1))
+        return false;
+    for (size_t i = 0; i <= (size_t)n; i++) {
+        double along = length * (double)i / n;
+        out->v[out->n++].at = plb_base_place(b, along, plb_hand_off(h, along));
+    }
+    plb_path_measure(out, b->closed);
+    return true;
+}
