@@ -21,6 +21,8 @@ typedef enum {
     PURPOSE_CHAIN = 8,    /* smooth and broken columns */
     PURPOSE_GRAIN = 9,    /* innovations of the grain */
     PURPOSE_HOOK = 20,    /* hooks at free ends */
+    PURPOSE_PASS = 40,    /* places of the passes of a wide line */
+    PURPOSE_DASH = 41     /* lengths of dashes and gaps */
 } random_purpose;
 
 static inline uint64_t random_mix(uint64_t x)

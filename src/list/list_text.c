@@ -93,6 +93,14 @@ bool plb_list_print(const display_list *list, FILE *to)
     return !ferror(to);
 }
 
+static void print_touch(FILE *to, touch t)
+{
+    static const char *const kinds[] = {[STROKE_LINE] = "line", [STROKE_HATCH] = "hatch", [STROKE_LETTER] = "letter", [STROKE_GUIDE] = "guide"};
+    fprintf(to, " %s", kinds[t.kind]);
+    print_number(to, (double)t.pressure);
+    fprintf(to, t.colour ? " #%06lx" : " graphite", (unsigned long)t.colour);
+}
+
 bool plb_stroke_list_print(const stroke_list *s, FILE *to)
 {
     fputs("strokes", to);
@@ -101,6 +109,7 @@ bool plb_stroke_list_print(const stroke_list *s, FILE *to)
     for (size_t i = 0; i < s->strokes.n; i++) {
         const stroke *it = &s->strokes.v[i];
         fprintf(to, "stroke %016llx %s", (unsigned long long)it->identity, it->closed ? "closed" : "open");
+        print_touch(to, it->touch);
         for (size_t k = 0; k < it->n; k++)
             print_point(to, s->points.v[it->first + k]);
         fputc('\n', to);

@@ -2,17 +2,13 @@
  *
  * Plan, step 2: what lies outside the page or outside a clip is cut away.
  */
-#include "plan/region.h"
-#include "plan/track.h"
+#include "plan/clip.h"
 
-#include <math.h>
-#include <stdlib.h>
+#include "plan/cut.h"
 
 /* A line that runs along the edge of a clip or of the page is half visible: it is kept, and so is what lies no
  * farther outside than this. */
 #define EDGE_MARGIN_MM 0.05
-/* Pieces shorter than this that the cut leaves are dropped. */
-#define SHORTEST_PIECE_MM 0.02
 
 struct clipper {
     const display_list *list;
@@ -52,22 +48,13 @@ void plb_clipper_free(clipper *c)
     plb_free(c);
 }
 
-/* The clip of that index as a region; NULL and `err` on failure. */
-static region *region_of(clipper *c, int index, error *err)
+const region *plb_clipper_region(clipper *c, int index, error *err)
 {
     if (!c->regions[index]) {
         const clip *from = &c->list->clips.v[index];
         c->regions[index] = plb_region_new(&from->path, from->even_odd, err);
     }
     return c->regions[index];
-}
-
-static box bounds_of(const track *t)
-{
-    box b = BOX_EMPTY;
-    for (size_t i = 0; i < t->points.n; i++)
-        plb_box_add(&b, t->points.v[i].at);
-    return b;
 }
 
 typedef enum { ALL_INSIDE, ALL_OUTSIDE, MIXED } side;
@@ -82,92 +69,24 @@ static side side_of(const region *r, box b)
     return within && plb_region_is_box(r) ? ALL_INSIDE : MIXED;
 }
 
-static int compare_numbers(const void *a, const void *b)
+static bool cross(const void *of, point from, point to, crossings *at)
 {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
+    return plb_region_cross(of, from, to, at);
 }
 
-/* What is being cut: the piece under construction and where it goes. */
-typedef struct {
-    track piece;
-    double at; /* arc length reached, mm */
-    track_sink sink;
-    void *closure;
-    error *err;
-} cutter;
-
-static bool flush(cutter *k)
+static bool sees(const void *of, point p)
 {
-    size_t n = k->piece.points.n;
-    bool ok = true;
-    if (n > 1 && (n > 2 || plb_point_distance(k->piece.points.v[0].at, k->piece.points.v[1].at) >= SHORTEST_PIECE_MM)) {
-        k->piece.points.v[n - 1].corner = false;
-        ok = k->sink(k->closure, &k->piece);
-    }
-    k->piece.points.n = 0;
-    return ok;
-}
-
-static bool push(cutter *k, point at, bool corner)
-{
-    size_t n = k->piece.points.n;
-    if (n && plb_point_distance(k->piece.points.v[n - 1].at, at) < SAME_POINT_MM)
-        return true;
-    track_point p = {at, corner && n > 0};
-    if (n == 0)
-        k->piece.start = k->at;
-    return array_push(&k->piece.points, p) || plb_fail_memory(k->err);
-}
-
-/* Cuts one straight segment at the crossings found and keeps the parts inside. */
-static bool cut_segment(cutter *k, const region *r, track_point from, track_point to, crossings *at)
-{
-    at->n = 0;
-    if (!plb_region_cross(r, from.at, to.at, at) || !array_push(at, 1.0))
-        return plb_fail_memory(k->err);
-    qsort(at->v, at->n, sizeof *at->v, compare_numbers);
-    double length = plb_point_distance(from.at, to.at), before = 0, start = k->at;
-    for (size_t i = 0; i < at->n; i++) {
-        double t = at->v[i];
-        bool last = i + 1 == at->n;
-        if ((t - before) * length < SAME_POINT_MM && !last)
-            continue;
-        bool inside = plb_region_contains(r, point_mix(from.at, to.at, (before + t) / 2), EDGE_MARGIN_MM);
-        if (inside && k->piece.points.n == 0 && !push(k, point_mix(from.at, to.at, before), false))
-            return false;
-        k->at = start + t * length;
-        if (inside && !push(k, last ? to.at : point_mix(from.at, to.at, t), last && to.corner))
-            return false;
-        if (!inside && !flush(k))
-            return false;
-        before = t;
-    }
-    return true;
+    return plb_region_contains(of, p, EDGE_MARGIN_MM);
 }
 
 static bool cut_by(const region *r, const track *t, track_sink sink, void *closure, error *err)
 {
-    side where = side_of(r, bounds_of(t));
-    if (where == ALL_OUTSIDE)
-        return true;
-    if (where == ALL_INSIDE)
-        return sink(closure, t);
-    if (t->points.n == 1)
-        return !plb_region_contains(r, t->points.v[0].at, EDGE_MARGIN_MM) || sink(closure, t);
-    cutter k = {.piece.touch = t->touch, .at = t->start, .sink = sink, .closure = closure, .err = err};
-    crossings at = {0}; /* of this clip alone: the sink may cut further */
-    bool ok = true, whole = true;
-    for (size_t i = 1; ok && i < t->points.n; i++) {
-        ok = cut_segment(&k, r, t->points.v[i - 1], t->points.v[i], &at);
-        whole = whole && k.piece.points.n == i + 1;
+    cut_rule rule = {cross, sees, r};
+    switch (side_of(r, plb_track_bounds(t))) {
+    case ALL_OUTSIDE: return true;
+    case ALL_INSIDE: return sink(closure, t);
+    default: return plb_plan_cut(&rule, t, sink, closure, err);
     }
-    if (ok && whole) /* untouched: it stays closed if it was */
-        k.piece.closed = t->closed;
-    ok = ok && flush(&k);
-    array_free(&at);
-    array_free(&k.piece.points);
-    return ok;
 }
 
 /* The chain of clips, outermost last, each cutting what the one before left. */
@@ -184,7 +103,7 @@ static bool cut_by_chain(void *closure, const track *t)
     const chain *k = closure;
     if (k->index == NO_CLIP)
         return cut_by(k->c->page, t, k->sink, k->closure, k->err);
-    region *r = region_of(k->c, k->index, k->err);
+    const region *r = plb_clipper_region(k->c, k->index, k->err);
     chain outer = {k->c, k->c->list->clips.v[k->index].parent, k->sink, k->closure, k->err};
     return r && cut_by(r, t, cut_by_chain, &outer, k->err);
 }

@@ -2,18 +2,20 @@
  *
  * Plan: from what was drawn to what a hand draws. plb_plan is the table of contents:
  *
- *     each item      visible? → its marks as tracks → clip → dash → corners → strokes
+ *     each item      visible? → its marks as tracks → clip → dash → hidden → corners → strokes
  *     all strokes    identities
  */
 #include "plan/plan.h"
 
+#include "plan/clip.h"
+#include "plan/hidden.h"
 #include "plan/pass.h"
 #include "plan/track.h"
+#include "plan/weight.h"
+#include "plan/wide.h"
 
 #include <string.h>
 
-/* Paint lighter than this leaves no mark on white paper (a faint grey grid of 0.9 still does). */
-#define NO_MARK_LIGHTNESS 0.985
 /* A point painted with a round or square cap is a dot: a touch of the pencil this long (chosen by eye). */
 #define DOT_MM 0.12
 /* Shorter scraps that cutting at corners leaves are dropped. */
@@ -23,10 +25,12 @@ typedef struct {
     const display_list *list;
     const plan_options *how;
     clipper *clip;
+    cover *cover;
+    double usual_width; /* of the drawing's lines, mm */
     stroke_list *out;
     error *err;
     const item *it; /* the one at work */
-    touch touch;    /* of its lines */
+    size_t index;   /* its number */
 } planner;
 
 /* ---- from a track to strokes, last step first: each hands on to the one above it ---- */
@@ -47,17 +51,28 @@ static bool add_stroke(void *closure, const track *t)
     return true;
 }
 
-static bool add_dot(planner *p, point at)
-{
-    track_point ends[2] = {{{at.x - DOT_MM / 2, at.y}, false}, {{at.x + DOT_MM / 2, at.y}, false}};
-    track dot = {.points = {ends, 2, 2}, .touch = p->touch};
-    return add_stroke(p, &dot);
-}
-
 static bool cut_at_corners(void *closure, const track *t)
 {
     planner *p = closure;
     return plb_plan_corners(t, add_stroke, p, p->err);
+}
+
+static bool leave_out_hidden(void *closure, const track *t)
+{
+    planner *p = closure;
+    return plb_plan_hide(p->cover, p->index, t, cut_at_corners, p, p->err);
+}
+
+static touch touch_of(const planner *p)
+{
+    return plb_touch_of(p->it, p->how, p->usual_width);
+}
+
+static bool add_dot(planner *p, point at)
+{
+    track_point ends[2] = {{{at.x - DOT_MM / 2, at.y}, false}, {{at.x + DOT_MM / 2, at.y}, false}};
+    track dot = {.points = {ends, 2, 2}, .touch = touch_of(p)};
+    return leave_out_hidden(p, &dot);
 }
 
 static bool cut_into_dashes(void *closure, const track *t)
@@ -65,29 +80,44 @@ static bool cut_into_dashes(void *closure, const track *t)
     planner *p = closure;
     if (t->points.n == 1)
         return p->it->kind == ITEM_FILL || p->it->cap == LINE_CAP_BUTT || add_dot(p, t->points.v[0].at);
-    return plb_plan_dash(p->it, t, cut_at_corners, p, p->err);
+    return plb_plan_dash(p->it, t, leave_out_hidden, p, p->err);
 }
 
-/* Where all marks come in, whatever made them: `t` carries its own touch. */
-static bool add_mark(void *closure, const track *t)
-{
-    planner *p = closure;
-    return plb_plan_clip(p->clip, p->it->clip, t, cut_into_dashes, p, p->err);
-}
-
-/* ---- from an item to tracks ---- */
-
+/* A line as thin as the pencil's. */
 static bool add_line(void *closure, const track *t)
 {
     planner *p = closure;
     track touched = *t; /* the points stay the sender's */
-    touched.touch = p->touch;
-    return add_mark(p, &touched);
+    touched.touch = touch_of(p);
+    return plb_plan_clip(p->clip, p->it->clip, &touched, cut_into_dashes, p, p->err);
 }
+
+/* Where marks with a touch of their own come in: of hatching, of lettering, of wide lines. */
+static bool add_mark(void *closure, const track *t)
+{
+    planner *p = closure;
+    return plb_plan_clip(p->clip, p->it->clip, t, leave_out_hidden, p, p->err);
+}
+
+static bool add_passes(void *closure, const track *t)
+{
+    planner *p = closure;
+    track touched = *t;
+    touched.touch = touch_of(p);
+    return plb_plan_passes(p->it, &touched, p->how, add_mark, p, p->err);
+}
+
+static bool add_wide_line(void *closure, const track *t)
+{
+    planner *p = closure;
+    return plb_plan_dash(p->it, t, add_passes, p, p->err);
+}
+
+/* ---- from an item to tracks ---- */
 
 static bool draw_line(planner *p)
 {
-    return plb_plan_flatten(&p->it->path, false, add_line, p, p->err);
+    return plb_plan_flatten(&p->it->path, false, plb_is_wide(p->it, p->how) ? add_wide_line : add_line, p, p->err);
 }
 
 static bool draw_outline(planner *p)
@@ -102,15 +132,10 @@ static bool draw_fill(planner *p)
 
 /* ---- which items ---- */
 
-static bool leaves_mark(const item *it)
-{
-    return plb_paint_lightness(it->paint) <= NO_MARK_LIGHTNESS;
-}
-
 /* A shape that is filled and stroked is outlined once, by its stroke. */
 static bool is_outlined_by(const item *fill, const item *other)
 {
-    return fill->kind == ITEM_FILL && other->kind == ITEM_STROKE && leaves_mark(other) && plb_path_equal(&fill->path, &other->path);
+    return fill->kind == ITEM_FILL && other->kind == ITEM_STROKE && plb_leaves_mark(other) && plb_path_equal(&fill->path, &other->path);
 }
 
 static bool is_wanted(const display_list *list, size_t i)
@@ -118,7 +143,7 @@ static bool is_wanted(const display_list *list, size_t i)
     const item *it = &list->items.v[i];
     bool before = i > 0 && is_outlined_by(it, it - 1);
     bool after = i + 1 < list->items.n && is_outlined_by(it, it + 1);
-    return leaves_mark(it) && !before && !after;
+    return plb_leaves_mark(it) && !before && !after;
 }
 
 static bool draw_item(planner *p, size_t i)
@@ -126,7 +151,7 @@ static bool draw_item(planner *p, size_t i)
     if (!is_wanted(p->list, i))
         return true;
     p->it = &p->list->items.v[i];
-    p->touch = TOUCH_USUAL;
+    p->index = i;
     return p->it->kind == ITEM_STROKE ? draw_line(p) : draw_fill(p);
 }
 
@@ -143,17 +168,26 @@ plan_options plb_plan_options_default(void)
     return (plan_options){.fill = FILL_OUTLINE, .text = TEXT_OUTLINE, .pencil_width = 0.35, .seed = 1};
 }
 
+static void report(const planner *p, const messenger *say)
+{
+    plb_say(say, MESSAGE_DETAIL, "%zu items make %zu strokes", p->list->items.n, p->out->strokes.n);
+    if (plb_cover_is_exhausted(p->cover))
+        plb_say(say, MESSAGE_WARNING, "too many areas lie over each other: not all hidden lines are left out");
+}
+
 bool plb_plan(const display_list *list, const plan_options *o, const messenger *say, stroke_list *out, error *err)
 {
     memset(out, 0, sizeof *out);
     out->width = list->width;
     out->height = list->height;
     planner p = {.list = list, .how = o, .clip = plb_clipper_new(list, err), .out = out, .err = err};
-    bool ok = p.clip && draw_items(&p) && plb_plan_identify(out, err);
+    bool ok = p.clip && (p.cover = plb_cover_new(list, o, p.clip, err)) && plb_usual_width(list, o, &p.usual_width, err) &&
+              draw_items(&p) && plb_plan_identify(out, err);
     if (ok)
-        plb_say(say, MESSAGE_DETAIL, "%zu items make %zu strokes", list->items.n, out->strokes.n);
+        report(&p, say);
     else
         plb_stroke_list_free(out);
+    plb_cover_free(p.cover);
     plb_clipper_free(p.clip);
     return ok;
 }

@@ -175,10 +175,8 @@ static bool is_inside(const region *r, point p)
     return r->even_odd ? crossed & 1 : winding != 0;
 }
 
-bool plb_region_contains(const region *r, point p, double margin)
+static bool is_near_edge(const region *r, point p, double margin)
 {
-    if (is_inside(r, p))
-        return true;
     if (r->edges.n == 0)
         return false;
     for (size_t k = band_of(r, p.y - margin), last = band_of(r, p.y + margin); k <= last; k++)
@@ -186,6 +184,22 @@ bool plb_region_contains(const region *r, point p, double margin)
             if (distance_to_edge(r->edges.v[r->listed[i]], p) <= margin)
                 return true;
     return false;
+}
+
+bool plb_region_contains(const region *r, point p, double margin)
+{
+    return is_inside(r, p) || is_near_edge(r, p, margin);
+}
+
+bool plb_region_covers(const region *r, point p, double margin)
+{
+    return is_inside(r, p) && !is_near_edge(r, p, margin);
+}
+
+double plb_region_work(const region *r, point from, point to)
+{
+    size_t low = band_of(r, fmin(from.y, to.y)), high = band_of(r, fmax(from.y, to.y));
+    return r->edges.n ? 4 + (double)(r->first[high + 1] - r->first[low]) : 1;
 }
 
 bool plb_region_cross(const region *r, point from, point to, crossings *at)

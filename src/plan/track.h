@@ -45,13 +45,6 @@ typedef bool (*track_sink)(void *closure, const track *t);
 bool plb_plan_flatten(const path *p, bool close, track_sink sink, void *closure, error *err);
 double plb_track_length(const track *t);
 
-/* clip.c: the parts of tracks inside a clip chain and the page. */
-typedef struct clipper clipper;
-clipper *plb_clipper_new(const display_list *list, error *err);
-void plb_clipper_free(clipper *c);
-/* `index` is an item's clip or NO_CLIP. */
-bool plb_plan_clip(clipper *c, int index, const track *t, track_sink sink, void *closure, error *err);
-
 /* dash.c: the dashes of a track; the track itself when `it` has none. */
 bool plb_plan_dash(const item *it, const track *t, track_sink sink, void *closure, error *err);
 

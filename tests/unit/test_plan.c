@@ -235,6 +235,142 @@ static void identities_are_distinct_and_stable(void)
     clean(&t);
 }
 
+static const paint white = {PAINT_SOLID, 1, 1, 1, 1}, glass = {PAINT_SOLID, 1, 1, 1, .5}, grey = {PAINT_SOLID, .9, .9, .9, 1};
+static const double square[] = {40, 40, 60, 40, 60, 60, 40, 60};
+
+static void opaque_areas_hide_what_came_before(void)
+{
+    setup s = page(100, 100);
+    add(&s, ITEM_STROKE, (const double[]){10, 50, 90, 50}, 2);
+    add(&s, ITEM_FILL, square, 4)->paint = white;
+    add(&s, ITEM_STROKE, (const double[]){50, 10, 50, 90}, 2); /* later: it stays */
+    CHECK(plan(&s) == 3);
+    CHECK(fabs(length_of(&s, 0) - 30) < 1e-9 && fabs(length_of(&s, 1) - 30) < 1e-9 && fabs(length_of(&s, 2) - 80) < 1e-9);
+    clean(&s);
+}
+
+static void glass_hides_nothing(void)
+{
+    setup s = page(100, 100);
+    add(&s, ITEM_STROKE, (const double[]){10, 50, 90, 50}, 2);
+    add(&s, ITEM_FILL, square, 4)->paint = glass;
+    CHECK(plan(&s) == 1);
+    clean(&s);
+}
+
+/* Only the part of an area that its clip leaves hides. */
+static void clipped_areas_hide_within_their_clip(void)
+{
+    setup s = page(100, 100);
+    int half = add_clip(&s, (const double[]){0, 0, 50, 0, 50, 100, 0, 100}, 4, NO_CLIP);
+    add(&s, ITEM_STROKE, (const double[]){10, 50, 90, 50}, 2);
+    item *it = add(&s, ITEM_FILL, square, 4);
+    it->paint = white;
+    it->clip = half;
+    CHECK(plan(&s) == 2);
+    CHECK(fabs(length_of(&s, 0) - 30) < 1e-9 && fabs(length_of(&s, 1) - 40) < 1e-9);
+    clean(&s);
+}
+
+static void neighbours_keep_their_outlines(void)
+{
+    setup s = page(100, 100);
+    const double right[] = {60, 40, 80, 40, 80, 60, 60, 60};
+    add(&s, ITEM_FILL, square, 4)->paint = grey;
+    add(&s, ITEM_FILL, right, 4)->paint = grey;
+    CHECK(plan(&s) >= 7); /* the shared side may be there once or twice */
+    clean(&s);
+}
+
+static void holes_hide_nothing(void)
+{
+    setup s = page(100, 100);
+    item *it = add(&s, ITEM_STROKE, (const double[]){10, 50, 90, 50}, 2);
+    const double inner[] = {45, 45, 55, 45, 55, 55, 45, 55};
+    it = add(&s, ITEM_FILL, square, 4);
+    it->paint = white;
+    it->even_odd = true;
+    for (int i = 0; i < 4; i++)
+        CHECK(i ? plb_path_line(&it->path, (point){inner[2 * i], inner[2 * i + 1]}) : plb_path_move(&it->path, (point){inner[0], inner[1]}));
+    CHECK(plan(&s) == 3 && fabs(length_of(&s, 1) - 10) < 1e-9);
+    clean(&s);
+}
+
+static void wide_white_lines_hide(void)
+{
+    setup s = page(100, 100);
+    add(&s, ITEM_STROKE, (const double[]){10, 50, 90, 50}, 2);
+    item *it = add(&s, ITEM_STROKE, (const double[]){50, 20, 50, 80}, 2);
+    it->paint = white;
+    it->width = 10;
+    CHECK(plan(&s) == 2 && fabs(length_of(&s, 0) - 35) < 1e-9 && fabs(length_of(&s, 1) - 35) < 1e-9);
+    clean(&s);
+}
+
+/* A grid of areas and many lines: against asking each area in turn. */
+static void hiding_is_the_same_as_a_plain_search(void)
+{
+    setup s = page(100, 100);
+    add(&s, ITEM_STROKE, (const double[]){1, 3, 99, 97}, 2);
+    for (int i = 0; i < 300; i++) {
+        double x = i * 7919 % 9700 / 100.0, y = i * 6101 % 8900 / 100.0;
+        const double small[] = {x, y, x + 2, y, x + 2, y + 1.5, x, y + 1.5};
+        add(&s, ITEM_FILL, small, 4)->paint = white;
+    }
+    size_t n = plan(&s);
+    double sum = 0, seen = 0, whole = hypot(98, 94);
+    for (size_t i = 0; i < n; i++)
+        sum += length_of(&s, i);
+    for (int k = 0; k < 100000; k++) {
+        double x = 1 + 98 * (k + .5) / 1e5, y = 3 + 94 * (k + .5) / 1e5;
+        bool hidden = false;
+        for (int i = 0; i < 300; i++) {
+            double left = i * 7919 % 9700 / 100.0, top = i * 6101 % 8900 / 100.0;
+            hidden = hidden || (x > left && x < left + 2 && y > top && y < top + 1.5);
+        }
+        seen += !hidden * whole / 1e5;
+    }
+    CHECK(n > 5);
+    CHECK_RANGE(sum, seen - .5, seen + .5);
+    clean(&s);
+}
+
+static float pressure(const setup *s, size_t i)
+{
+    return s->strokes.strokes.v[i].touch.pressure;
+}
+
+static void weight_and_tone_are_pressure(void)
+{
+    setup s = page(100, 100);
+    for (int i = 0; i < 5; i++) /* most lines are of one width: it is the usual one */
+        add(&s, ITEM_STROKE, (const double[]){10, 10 + i, 90, 10 + i}, 2);
+    add(&s, ITEM_STROKE, (const double[]){10, 50, 90, 50}, 2)->width = .6;
+    add(&s, ITEM_STROKE, (const double[]){10, 60, 90, 60}, 2)->width = .1;
+    add(&s, ITEM_STROKE, (const double[]){10, 70, 90, 70}, 2)->paint = grey;
+    CHECK(plan(&s) == 8);
+    CHECK(pressure(&s, 0) == 1 && pressure(&s, 4) == 1);
+    CHECK(pressure(&s, 5) > 1.2 && pressure(&s, 6) < .8 && pressure(&s, 7) < .5);
+    clean(&s);
+}
+
+/* A line of 4 mm: passes side by side fill its width and do not leave it. */
+static void wide_lines_are_passes(void)
+{
+    setup s = page(100, 100);
+    add(&s, ITEM_STROKE, (const double[]){10, 50, 90, 50}, 2)->width = 4;
+    size_t n = plan(&s);
+    CHECK(n >= 8 && n <= 40);
+    double low = 100, high = 0;
+    for (size_t i = 0; i < s.strokes.points.n; i++) {
+        low = fmin(low, s.strokes.points.v[i].y);
+        high = fmax(high, s.strokes.points.v[i].y);
+    }
+    CHECK_RANGE(low, 48, 48.3);
+    CHECK_RANGE(high, 51.7, 52);
+    clean(&s);
+}
+
 /* Random stars: the region's answers against a count of all edges. */
 static void regions_answer_as_a_plain_count_does(void)
 {
@@ -283,6 +419,15 @@ int main(void)
     RUN(white_leaves_no_mark);
     RUN(a_filled_and_stroked_shape_is_outlined_once);
     RUN(identities_are_distinct_and_stable);
+    RUN(opaque_areas_hide_what_came_before);
+    RUN(glass_hides_nothing);
+    RUN(clipped_areas_hide_within_their_clip);
+    RUN(neighbours_keep_their_outlines);
+    RUN(holes_hide_nothing);
+    RUN(wide_white_lines_hide);
+    RUN(hiding_is_the_same_as_a_plain_search);
+    RUN(weight_and_tone_are_pressure);
+    RUN(wide_lines_are_passes);
     RUN(regions_answer_as_a_plain_count_does);
     CHECK_EXIT;
 }

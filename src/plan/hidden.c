@@ -1,0 +1,291 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Plan, step 4: hidden lines. In painter's order an opaque area hides what was painted before it; a person leaves out
+ * what is hidden, and lifts the pencil where a line goes under.
+ *
+ * What hides is a fill, or a line much wider than the pencil's, whose paint is opaque; white counts: a program blots
+ * out with it. Areas are kept in a tree of boxes (sorted by Morton code and packed bottom up, eight to a node), each
+ * node with the latest item below it, so that a question passes by all that lies elsewhere or earlier.
+ * An area's region is made when a question first reaches it.
+ */
+#include "plan/hidden.h"
+
+#include "plan/cut.h"
+#include "plan/weight.h"
+#include "plan/wide.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Paint more opaque than this hides (chosen by eye: half-transparent tints do not). */
+#define OPAQUE 0.95
+/* A line no farther inside an area than this is on its edge, half seen: it stays (neighbours share outlines). */
+#define EDGE_MARGIN_MM 0.05
+/* Boxes to a node of the tree. */
+#define FAN 8
+/* The most looks at edges for one drawing, about ten seconds of them: beyond, nothing more is cut. */
+#define MOST_WORK 4e9
+
+typedef struct {
+    box bounds;
+    size_t order;    /* the item's number */
+    uint32_t code;   /* Morton code of the middle */
+    region *region;  /* made when first needed */
+    bool is_failed;  /* it could not be made */
+} area;
+
+typedef struct {
+    box bounds;
+    size_t latest; /* the largest order below */
+} node;
+
+struct cover {
+    const display_list *list;
+    const plan_options *how;
+    clipper *clips;
+    ARRAY(area) areas;
+    ARRAY(node) nodes; /* level after level, the areas' own boxes first */
+    size_t level[12], levels; /* where each level starts; FAN to the power of 12 is beyond LIST_MAX_ITEMS */
+    double work;
+    size_t asks; /* the item that asks */
+    error *err;
+};
+
+/* ---- which areas ---- */
+
+static bool is_opaque(const item *it)
+{
+    return it->paint.alpha >= OPAQUE && it->paint.kind != PAINT_PATTERN;
+}
+
+static bool hides(const item *it, const plan_options *o)
+{
+    bool is_area = it->kind == ITEM_FILL || (plb_is_wide(it, o) && it->dash.n == 0);
+    return is_area && is_opaque(it);
+}
+
+static box intersect(box a, box b)
+{
+    return (box){fmax(a.x0, b.x0), fmax(a.y0, b.y0), fmin(a.x1, b.x1), fmin(a.y1, b.y1)};
+}
+
+/* The box that an item can paint in: its path's, within the page and its clips. */
+static box reach_of(const display_list *list, const item *it)
+{
+    box b = plb_path_bounds(&it->path);
+    double more = it->kind == ITEM_STROKE ? it->width : 0; /* half would do but for square caps */
+    b = (box){b.x0 - more, b.y0 - more, b.x1 + more, b.y1 + more};
+    b = intersect(b, (box){0, 0, list->width, list->height});
+    for (int k = it->clip; k != NO_CLIP; k = list->clips.v[k].parent)
+        b = intersect(b, plb_path_bounds(&list->clips.v[k].path));
+    return b;
+}
+
+static uint32_t spread(double unit)
+{
+    uint32_t x = (uint32_t)(fmin(fmax(unit, 0), 1) * 65535);
+    x = (x | x << 8) & 0x00ff00ff;
+    x = (x | x << 4) & 0x0f0f0f0f;
+    x = (x | x << 2) & 0x33333333;
+    return (x | x << 1) & 0x55555555;
+}
+
+static bool add_area(cover *c, size_t i)
+{
+    const display_list *list = c->list;
+    box b = reach_of(list, &list->items.v[i]);
+    if (b.x1 - b.x0 < 2 * EDGE_MARGIN_MM || b.y1 - b.y0 < 2 * EDGE_MARGIN_MM)
+        return true; /* no room for anything to hide in */
+    area a = {.bounds = b, .order = i};
+    a.code = spread((b.x0 + b.x1) / 2 / list->width) | spread((b.y0 + b.y1) / 2 / list->height) << 1;
+    return array_push(&c->areas, a);
+}
+
+/* ---- the tree ---- */
+
+static int compare_areas(const void *a, const void *b)
+{
+    const area *x = a, *y = b;
+    return x->code != y->code ? (x->code < y->code ? -1 : 1) : (x->order > y->order) - (x->order < y->order);
+}
+
+static node join(const node *first, size_t n)
+{
+    node all = {BOX_EMPTY, 0};
+    for (size_t i = 0; i < n; i++) {
+        plb_box_add(&all.bounds, (point){first[i].bounds.x0, first[i].bounds.y0});
+        plb_box_add(&all.bounds, (point){first[i].bounds.x1, first[i].bounds.y1});
+        all.latest = first[i].latest > all.latest ? first[i].latest : all.latest;
+    }
+    return all;
+}
+
+static bool build(cover *c)
+{
+    if (c->areas.n == 0)
+        return true;
+    qsort(c->areas.v, c->areas.n, sizeof *c->areas.v, compare_areas);
+    if (!array_reserve(&c->nodes, c->areas.n + c->areas.n / (FAN - 1) + 16))
+        return false;
+    for (size_t i = 0; i < c->areas.n; i++)
+        c->nodes.v[c->nodes.n++] = (node){c->areas.v[i].bounds, c->areas.v[i].order};
+    for (size_t n = c->areas.n; n > 1; n = (n + FAN - 1) / FAN) {
+        size_t below = c->level[c->levels++];
+        c->level[c->levels] = c->nodes.n;
+        for (size_t k = 0; k < n; k += FAN)
+            c->nodes.v[c->nodes.n++] = join(c->nodes.v + below + k, n - k < FAN ? n - k : FAN);
+    }
+    c->levels++;
+    return true;
+}
+
+cover *plb_cover_new(const display_list *list, const plan_options *o, clipper *clips, error *err)
+{
+    cover *c = plb_new(1, sizeof *c);
+    bool ok = c;
+    if (ok) {
+        c->list = list;
+        c->how = o;
+        c->clips = clips;
+        c->err = err;
+    }
+    for (size_t i = 1; ok && i < list->items.n; i++) /* the first hides nothing */
+        ok = !hides(&list->items.v[i], o) || add_area(c, i);
+    if (ok && build(c))
+        return c;
+    plb_cover_free(c);
+    plb_fail_memory(err);
+    return NULL;
+}
+
+void plb_cover_free(cover *c)
+{
+    if (!c)
+        return;
+    for (size_t i = 0; i < c->areas.n; i++)
+        plb_region_free(c->areas.v[i].region);
+    array_free(&c->areas);
+    array_free(&c->nodes);
+    plb_free(c);
+}
+
+bool plb_cover_is_exhausted(const cover *c)
+{
+    return c->work > MOST_WORK;
+}
+
+/* ---- questions ---- */
+
+static region *make_region(cover *c, const item *it)
+{
+    if (it->kind == ITEM_FILL)
+        return plb_region_new(&it->path, it->even_odd, c->err);
+    path outline = {0};
+    region *r = plb_wide_outline(it, &outline, c->err) ? plb_region_new(&outline, false, c->err) : NULL;
+    plb_path_free(&outline);
+    return r;
+}
+
+static const region *region_of(cover *c, area *a)
+{
+    if (!a->region && !a->is_failed) {
+        a->region = make_region(c, &c->list->items.v[a->order]);
+        a->is_failed = !a->region;
+    }
+    return a->region;
+}
+
+/* Does something: true goes on to the next area. */
+typedef bool (*area_visit)(cover *c, area *a, void *closure);
+
+/* Every area later than the one that asks whose box meets `b`; false when a visit said so. */
+static bool visit(cover *c, size_t level, size_t k, box b, area_visit see, void *closure)
+{
+    const node *at = &c->nodes.v[c->level[level] + k];
+    if (at->latest <= c->asks || at->bounds.x0 > b.x1 || at->bounds.x1 < b.x0 || at->bounds.y0 > b.y1 || at->bounds.y1 < b.y0)
+        return true;
+    if (level == 0)
+        return see(c, &c->areas.v[k], closure);
+    size_t n = c->level[level] - c->level[level - 1];
+    for (size_t i = k * FAN; i < n && i < (k + 1) * FAN; i++)
+        if (!visit(c, level - 1, i, b, see, closure))
+            return false;
+    return true;
+}
+
+static bool visit_all(cover *c, box b, area_visit see, void *closure)
+{
+    return c->areas.n == 0 || visit(c, c->levels - 1, 0, b, see, closure);
+}
+
+typedef struct {
+    point from, to;
+    crossings *at;
+} cross_question;
+
+static bool cross_area(cover *c, area *a, void *closure)
+{
+    cross_question *q = closure;
+    const region *r = region_of(c, a);
+    if (!r || !plb_region_cross(r, q->from, q->to, q->at))
+        return false;
+    c->work += plb_region_work(r, q->from, q->to);
+    for (int k = c->list->items.v[a->order].clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {
+        const region *within = plb_clipper_region(c->clips, k, c->err);
+        if (!within || !plb_region_cross(within, q->from, q->to, q->at))
+            return false;
+        c->work += plb_region_work(within, q->from, q->to);
+    }
+    return true;
+}
+
+static bool cross(const void *of, point from, point to, crossings *at)
+{
+    cover *c = (cover *)of;
+    if (plb_cover_is_exhausted(c))
+        return true;
+    box b = BOX_EMPTY;
+    plb_box_add(&b, from);
+    plb_box_add(&b, to);
+    return visit_all(c, b, cross_area, &(cross_question){from, to, at});
+}
+
+/* Asks on while the point is not covered. */
+static bool leaves_open(cover *c, area *a, void *closure)
+{
+    point p = *(const point *)closure;
+    const region *r = region_of(c, a);
+    if (!r)
+        return true;
+    c->work += plb_region_work(r, p, p);
+    if (!plb_region_covers(r, p, EDGE_MARGIN_MM))
+        return true;
+    for (int k = c->list->items.v[a->order].clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {
+        const region *within = plb_clipper_region(c->clips, k, c->err);
+        if (!within || !plb_region_covers(within, p, EDGE_MARGIN_MM))
+            return true;
+    }
+    return false;
+}
+
+static bool sees(const void *of, point p)
+{
+    cover *c = (cover *)of;
+    return plb_cover_is_exhausted(c) || visit_all(c, (box){p.x, p.y, p.x, p.y}, leaves_open, &p);
+}
+
+static bool stop(cover *c, area *a, void *closure)
+{
+    (void)c, (void)a, (void)closure;
+    return false;
+}
+
+bool plb_plan_hide(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err)
+{
+    c->asks = i;
+    c->err = err;
+    if (visit_all(c, plb_track_bounds(t), stop, NULL)) /* nothing near */
+        return sink(closure, t);
+    cut_rule rule = {cross, sees, c};
+    return plb_plan_cut(&rule, t, sink, closure, err);
+}
