@@ -21,6 +21,9 @@ typedef enum {
     PURPOSE_CHAIN = 8,    /* smooth and broken columns */
     PURPOSE_GRAIN = 9,    /* innovations of the grain */
     PURPOSE_HOOK = 20,    /* hooks at free ends */
+    PURPOSE_CLOSING = 21, /* where a circle begins and how it meets itself */
+    PURPOSE_HABIT = 22,   /* overshoot, restating, construction lines */
+    PURPOSE_ARM = 23,     /* parameters of an arm's movement */
     PURPOSE_PASS = 40,    /* places of the passes of a wide line */
     PURPOSE_DASH = 41     /* lengths of dashes and gaps */
 } random_purpose;

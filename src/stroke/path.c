@@ -19,7 +19,11 @@ static point way_of(const base_line *b)
 static hand hand_of(const base_line *b, const stroke *s, double length, const stroke_options *o)
 {
     hand h = plb_hand(length, s->closed, s->identity, o);
-    if (o->model != MODEL_GRAPHITE || s->closed)
+    if (o->model != MODEL_GRAPHITE)
+        return h;
+    if (b->n > 2)
+        plb_hand_reach(&h, plb_base_extent(b));
+    if (s->closed)
         return h;
     bool backward = plb_hand_backward(way_of(b), o->handed);
     plb_hand_direct(&h, way_of(b), backward ? !s->corner_first : !s->corner_last, o);
@@ -35,7 +39,10 @@ static bool sample_hand(base_line *b, const stroke *s, double length, const stro
         float *begin = &out->pressure_first, *end = &out->pressure_last;
         plb_hand_pressure(way_of(b), length, o, h.backward ? end : begin, h.backward ? begin : end);
     }
-    return b->n == 2 ? plb_trace_line(b, length, &h, out) : plb_trace_curve(b, length, &h, out);
+    if (b->n == 2)
+        return plb_trace_line(b, length, &h, out);
+    bool remembers = o->model == MODEL_GRAPHITE && h.strength > 0;
+    return remembers ? plb_trace_curve(b, length, &h, s->identity, o, out) : plb_trace_ride(b, length, &h, out);
 }
 
 bool plb_path_sample(const stroke_list *list, const stroke *s, const stroke_options *o, path_samples *out, error *err)

@@ -18,6 +18,14 @@ double plb_base_length(const base_line *b)
     return sum;
 }
 
+double plb_base_extent(const base_line *b)
+{
+    box around = BOX_EMPTY;
+    for (size_t i = 0; i < b->n; i++)
+        plb_box_add(&around, b->v[i]);
+    return plb_point_length((point){around.x1 - around.x0, around.y1 - around.y0});
+}
+
 /* The direction at a vertex: between its two segments'. */
 static point vertex_tangent(const base_line *b, size_t i)
 {
@@ -61,24 +69,51 @@ point plb_base_place(base_line *b, double along, double off)
     return (point){on.x + off * tangent.y / l, on.y - off * tangent.x / l};
 }
 
-void plb_path_measure(path_samples *out, bool closed)
+/* Unit vector from a to b, which are `length` apart. */
+static point unit_between(point a, point b, double length)
+{
+    return point_scale(point_sub(b, a), 1 / length);
+}
+
+/* The direction between two unit vectors, one of which may be zero: an end. */
+static point between(point before, point after)
+{
+    point sum = point_add(before, after);
+    double l = plb_point_length(sum);
+    return l < 1e-9 ? (after.x == 0 && after.y == 0 ? before : after) : point_scale(sum, 1 / l);
+}
+
+/* Drops samples that coincide with the one before, sums up the way, and leaves the direction from the sample before in
+ * `tangent`. */
+static void sum_steps(path_samples *out)
 {
     size_t n = 1;
     out->v[0].along = 0;
+    out->v[0].tangent = (point){0, 0};
     for (size_t i = 1; i < out->n; i++) {
         double step = plb_point_distance(out->v[n - 1].at, out->v[i].at);
         if (step < 1e-6)
             continue;
-        out->v[n] = out->v[i];
+        out->v[n].at = out->v[i].at;
         out->v[n].along = out->v[n - 1].along + step;
+        out->v[n].tangent = unit_between(out->v[n - 1].at, out->v[n].at, step);
         n++;
     }
     out->n = n;
-    base_line b = {.n = n, .closed = closed && n > 3};
-    for (size_t i = 0; n > 1 && i < n; i++) {
-        point around[3] = {i > 0 ? out->v[i - 1].at : b.closed ? out->v[n - 2].at : out->v[0].at, out->v[i].at,
-                           i + 1 < n ? out->v[i + 1].at : b.closed ? out->v[1].at : out->v[n - 1].at};
-        base_line local = {around, 3, 0, 0, false};
-        out->v[i].tangent = vertex_tangent(&local, 1);
+}
+
+void plb_path_measure(path_samples *out, bool closed)
+{
+    sum_steps(out);
+    size_t n = out->n;
+    if (n < 2)
+        return;
+    point first = {0, 0}, last = {0, 0}; /* the steps before the first sample and after the last one */
+    if (closed && n > 3) {
+        first = unit_between(out->v[n - 2].at, out->v[0].at, plb_point_distance(out->v[n - 2].at, out->v[0].at));
+        last = unit_between(out->v[n - 1].at, out->v[1].at, plb_point_distance(out->v[n - 1].at, out->v[1].at));
     }
+    out->v[0].tangent = first;
+    for (size_t i = 0; i < n; i++)
+        out->v[i].tangent = between(out->v[i].tangent, i + 1 < n ? out->v[i + 1].tangent : last);
 }

@@ -46,10 +46,25 @@ hand plb_hand(double length, bool closed, uint64_t identity, const stroke_option
     h.strength = strength;
     for (int k = 0; k < HAND_MODES; k++) {
         double wave = closed ? length / (k / 2 + 2) : 2 * length / (k + 1);
-        if (wave >= SMOOTH_BELOW_MM || k == 0)
+        if (wave >= SMOOTH_BELOW_MM || k < 1 + closed)
             h.amplitude[k] = strength * amplitude(key, (uint64_t)k) * median_percent[k] / 100 * reach;
     }
     return h;
+}
+
+/* A closed curve is watched all the while it is drawn: large ones stray less, while small ones cannot be drawn as round;
+ * the factor is the first, and more by the second over the extent, up to the third (by eye, that circles look careful). */
+#define CLOSED_CARE 0.75
+#define CLOSED_SMALL_MM 6.0
+#define CLOSED_SMALL_MOST 1.5
+
+void plb_hand_reach(hand *h, double extent)
+{
+    double longest = fmin(h->length, LONGEST_MEASURED_MM), share = fmin(extent, longest) / longest;
+    if (h->closed)
+        share *= CLOSED_CARE + fmin(CLOSED_SMALL_MM / extent, CLOSED_SMALL_MOST);
+    for (int k = 0; k < HAND_MODES; k++)
+        h->amplitude[k] *= share;
 }
 
 /* An open line keeps its ends: the sum of a_k sin(k x), by sin((k + 1) x) = 2 cos(x) sin(k x) - sin((k - 1) x). */

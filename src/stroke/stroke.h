@@ -62,6 +62,8 @@ typedef struct {
     double hook_first, hook_last, hook_reach; /* of free ends, and over which length */
 } hand;
 hand plb_hand(double length, bool closed, uint64_t identity, const stroke_options *o);
+/* On a curve the modes go by how far it reaches, `extent` in mm, instead of by its length. */
+void plb_hand_reach(hand *h, double extent);
 /* How far off the line the hand is at `along` mm from its start: mm to the left of the direction. */
 double plb_hand_off(const hand *h, double along);
 
