@@ -26,7 +26,7 @@ O = build/$(BUILD)$(SUFFIX)
 Q = $(if $(filter 1,$(V)),,@)
 say = @$(if $(filter 1,$(V)),:,printf '  %-7s %s\n')
 
-packages_lib = cairo libpng
+packages_lib = cairo libpng zlib
 packages_tap = librsvg-2.0 cairo cairo-script libxml-2.0
 
 WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
@@ -78,18 +78,18 @@ $(O)/plumbago: $(O)/tool/plumbago.o $(O)/tool/options.o $(O)/libplumbago.a
 $(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(O)/tool/options.o $(O)/libplumbago.a
 $(O)/plumbago $(O)/plumbago-profile:
 	$(say) LINK $@
-	$(Q)$(CC) $(LDFLAGS_ALL) $^ $(shell pkg-config --libs $(packages_lib)) -lm -o $@
+	$(Q)$(CC) $(LDFLAGS_ALL) $^ $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
 
 # The tap includes nothing of ours and links librsvg; the library does not.
 $(O)/tap-svg: src/tap/tap_svg.c
 	$(say) LINK $@
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS_ALL) $(shell pkg-config --cflags $(packages_tap)) $< $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_tap)) -lm -o $@
+	$(Q)$(CC) $(CFLAGS_ALL) $(shell pkg-config --cflags $(packages_tap)) $< $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
 
 $(O)/tests/%: tests/%.c $(O)/libplumbago.a
 	$(say) LINK $@
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS_ALL) -UNDEBUG -Itests $(shell pkg-config --cflags $(packages_lib)) $< $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) $(LIBS_$(notdir $@)) -lm -o $@
+	$(Q)$(CC) $(CFLAGS_ALL) -UNDEBUG -Itests $(shell pkg-config --cflags $(packages_lib)) $< $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) $(LIBS_$(notdir $@)) -lm -pthread -o $@
 
 LIBS_tap_replay = $(shell pkg-config --libs cairo-script-interpreter 2>/dev/null || echo -lcairo-script-interpreter)
 
@@ -120,7 +120,7 @@ demo-pictures: all
 	@echo "$(demo_drawing), drawn with eight pencils, lies in build/demo."
 
 # ---- packages (Debian) ------------------------------------------------------------------------------------
-packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev libxml2-dev fonts-dejavu-core
+packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libxml2-dev fonts-dejavu-core
 packages_tests = librsvg2-bin ghostscript poppler-utils clang g++ mandoc strace locales unzip
 
 .PHONY: packages packages-check
@@ -146,7 +146,7 @@ examples: $(examples_c:examples/%.c=$(O)/examples/%)
 $(O)/examples/%: examples/%.c $(O)/libplumbago.a
 	$(say) LINK $@
 	@mkdir -p $(@D)
-	$(Q)$(CC) -std=c17 $(WARN) $(flags_$(BUILD)) -Isrc/api $(shell pkg-config --cflags cairo) $< $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) -lm -o $@
+	$(Q)$(CC) -std=c17 $(WARN) $(flags_$(BUILD)) -Isrc/api $(shell pkg-config --cflags cairo) $< $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
 
 # ---- install ------------------------------------------------------------------------------------------------
 manuals = $(wildcard man/*.[1-9])
@@ -161,7 +161,7 @@ install: all
 	install -m 644 $(O)/libplumbago.a "$(dest)/lib"
 	install -m 644 $(pencils) "$(dest)/share/plumbago/profiles"
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: plumbago' 'Description: vector drawings drawn with a pencil' 'Version: $(VERSION)' \
-	    'Requires: cairo libpng' 'Libs: -L$${prefix}/lib -lplumbago -lm' 'Cflags: -I$${prefix}/include' \
+	    'Requires: cairo libpng zlib' 'Libs: -L$${prefix}/lib -lplumbago -lm -pthread' 'Cflags: -I$${prefix}/include' \
 	    > "$(dest)/lib/pkgconfig/plumbago.pc"
 	for m in $(notdir $(manuals)); do d="$(dest)/share/man/man$${m##*.}"; install -d "$$d" && \
 	    sed 's#/usr/local#$(PREFIX)#g' man/$$m > "$$d/$$m" && chmod 644 "$$d/$$m" || exit 1; done

@@ -4,6 +4,8 @@
  */
 #include "api/drawing.h"
 
+#include "base/team.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -16,6 +18,7 @@ plb_options plb_options_default(void)
     o.squiggle = -1; /* the arm's own */
     o.dpi = 300;
     o.scale = 1;
+    o.compress = 1;
     return o;
 }
 
@@ -27,6 +30,8 @@ bool plb_api_check(const plb_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "the scale must be above 0 and at most 10000");
     if (!(o->width >= 0 && o->height >= 0 && o->width <= 1e5 && o->height <= 1e5))
         return plb_fail(err, ERROR_ARGUMENT, "the page's size must be at most 100 m");
+    if (o->threads < 0 || o->threads > TEAM_MAX || o->compress < 0 || o->compress > 9)
+        return plb_fail(err, ERROR_ARGUMENT, "threads must be 0 to %d, the compression 0 to 9", TEAM_MAX);
     if (!(o->squiggle <= 1000))
         return plb_fail(err, ERROR_ARGUMENT, "the squiggle must be at most 1 m");
     if (o->model > PLB_MODEL_GRAPHITE || o->arm > PLB_ARM_SPRING || o->background > PLB_BACKGROUND_NONE || o->handed > PLB_HAND_NONE)

@@ -132,6 +132,8 @@ typedef struct {
     double scale;               /* factor on the drawing's own size; default 1; not with width or height */
     plb_fill fill;              /* what becomes of filled shapes; default outline */
     plb_background background;  /* default white */
+    int threads;                /* at most so many, up to 64; 0, the default: as many as there are processors */
+    int compress;               /* how small files are made: 0, not, to 9; default 1 */
     const char *helper_dir;     /* where the helper program tap-svg lies; NULL: beside the program, else the installed place */
     plb_message_function message; /* NULL: silence */
     void (*progress)(void *closure, double done); /* told 0 to 1 now and then; may be NULL */
@@ -156,6 +158,8 @@ PLB_API size_t plb_drawing_strokes(const plb_drawing *drawing);
 
 /* Writes the drawing as PNG to `file` (complete or not at all; "-": standard output). */
 PLB_API bool plb_drawing_write_png(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
+/* The same as PDF: one page of the drawing's true size. */
+PLB_API bool plb_drawing_write_pdf(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
 /* The drawing on a new cairo image surface of its size at options->dpi: CAIRO_FORMAT_ARGB32, graphite on white or on
  * nothing. The caller destroys it. NULL and `error` on failure. */
 PLB_API cairo_surface_t *plb_drawing_render(const plb_drawing *drawing, const plb_options *options, plb_error *error);

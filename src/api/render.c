@@ -1,18 +1,59 @@
 /* SPDX-License-Identifier: MIT
  *
- * From strokes to a picture: each stroke's patches are laid on the page, and the page is written.
+ * See render.h. All threads draw on one band at a time: they take its strokes batch by batch and lay their patches on
+ * it; deposits add up to the same whatever the order.
  */
-#include "api/drawing.h"
+#include "api/render.h"
 
-#include "base/output.h"
-#include "base/random.h"
+#include "api/bands.h"
+#include "base/array.h"
+#include "base/team.h"
 #include "base/units.h"
 
-#include <math.h>
-#include <string.h>
+/* Strokes that a thread takes at a time, and of which the caller hears as progress. */
+#define BATCH 16
+/* The most memory for a band (chosen by measurement: an A0 page at 600 dpi comes in some 20). */
+#define BAND_BYTES (48 << 20)
+/* A further thread is worth its start from so many strokes and pixels on. */
+#define STROKES_PER_MEMBER 50
+#define PIXELS_PER_MEMBER 1e6
 
-/* The caller hears of progress every so many strokes. */
-#define PROGRESS_STRIDE 256
+typedef struct {
+    const plb_drawing *d;
+    const plb_options *o;
+    stroke_options how;
+    page *page;
+    const uint32_t *index; /* the band's strokes */
+    size_t n, band, bands;
+    stroke_scratch scratch[TEAM_MAX];
+    error err[TEAM_MAX];
+} crew;
+
+static int members_for(const plb_drawing *d, const plb_options *o, double pixels)
+{
+    double asked = o->threads > 0 ? o->threads : plb_team_processors();
+    double useful = 1 + (double)d->strokes.strokes.n / STROKES_PER_MEMBER + pixels / PIXELS_PER_MEMBER;
+    double n = asked < useful ? asked : useful;
+    return n < TEAM_MAX ? (int)n : TEAM_MAX;
+}
+
+bool plb_page_plan(const plb_drawing *d, const plb_options *o, page_plan *plan, error *err)
+{
+    double px = o->dpi / MM_PER_INCH;
+    error why = {ERROR_NONE, ""};
+    if (!plb_page_size(d->list.width * px, d->list.height * px, &plan->width, &plan->height, &why))
+        return plb_fail(err, why.kind, "%s: %s", d->name, why.text);
+    plan->rows = plan->height;
+    plan->members = members_for(d, o, (double)plan->width * plan->height);
+    return true;
+}
+
+void plb_page_plan_rows(page_plan *plan, int multiple)
+{
+    size_t rows = BAND_BYTES / sizeof(uint16_t) / (size_t)plan->width, m = (size_t)multiple;
+    rows = rows < m ? m : rows / m * m;
+    plan->rows = rows < (size_t)plan->height ? (int)rows : plan->height;
+}
 
 static bool lay(void *closure, const patch *p)
 {
@@ -26,122 +67,60 @@ static void report(const plb_options *o, double done)
         o->progress(o->closure, done);
 }
 
-static bool draw_strokes(const plb_drawing *d, const plb_options *o, const drawing_tools *t, page *to, error *err)
+static bool draw_batch(void *closure, int member, size_t batch)
 {
-    double px = o->dpi / MM_PER_INCH;
-    if (!plb_page_init(to, d->list.width * px, d->list.height * px, &t->ink, err))
-        return false;
-    stroke_scratch scratch = {0};
-    bool ok = true;
-    for (size_t i = 0; ok && i < d->strokes.strokes.n; i++) {
-        if (i % PROGRESS_STRIDE == 0)
-            report(o, (double)i / (double)d->strokes.strokes.n);
-        ok = plb_stroke_draw(&d->strokes, &d->strokes.strokes.v[i], &t->stroke, &scratch, lay, to, err);
+    crew *c = closure;
+    const stroke_list *list = &c->d->strokes;
+    if (member == 0)
+        report(c->o, ((double)c->band + (double)(batch * BATCH) / (double)c->n) / (double)c->bands);
+    for (size_t i = batch * BATCH; i < (batch + 1) * BATCH && i < c->n; i++)
+        if (!plb_stroke_draw(list, &list->strokes.v[c->index[i]], &c->how, &c->scratch[member], lay, c->page, &c->err[member]))
+            return false;
+    return true;
+}
+
+/* The first failed thread's error: they fail for want of memory or because a stroke is too long, whichever it is. */
+static bool fail(const crew *c, error *err)
+{
+    for (int k = 0; k < TEAM_MAX; k++)
+        if (c->err[k].kind != ERROR_NONE)
+            return plb_fail(err, c->err[k].kind, "%s: %s", c->d->name, c->err[k].text);
+    return plb_fail_memory(err);
+}
+
+static bool draw_bands(crew *c, const band_strokes *bands, int members, band_sink sink, void *closure, error *err)
+{
+    do {
+        c->index = bands->index + bands->first[c->band];
+        c->n = bands->first[c->band + 1] - bands->first[c->band];
+        c->how.clip_top = c->page->top;
+        c->how.clip_foot = c->page->top + c->page->rows;
+        if (!plb_team_run(members, (c->n + BATCH - 1) / BATCH, draw_batch, c))
+            return fail(c, err);
+        if (!sink(closure, c->page, err))
+            return false;
+        c->band++;
+    } while (plb_page_next_band(c->page));
+    report(c->o, 1);
+    return true;
+}
+
+bool plb_render(const plb_drawing *d, const plb_options *o, const drawing_tools *t, const page_plan *plan, band_sink sink, void *closure,
+                error *err)
+{
+    page p;
+    band_strokes bands = {0};
+    crew *c = plb_new(1, sizeof *c);
+    bool ok = plb_page_init(&p, plan->width, plan->height, plan->rows, &t->ink, err) &&
+              plb_bands_init(&bands, &d->strokes, &t->stroke, plan->height, plan->rows, plan->members, err);
+    if (ok && c) {
+        *c = (crew){.d = d, .o = o, .how = t->stroke, .page = &p, .bands = bands.n};
+        ok = draw_bands(c, &bands, plan->members, sink, closure, err);
+        for (int k = 0; k < TEAM_MAX; k++)
+            plb_stroke_scratch_free(&c->scratch[k]);
     }
-    plb_stroke_scratch_free(&scratch);
-    report(o, 1);
-    return ok;
-}
-
-/* Draws all strokes onto a new page. */
-static bool draw(const plb_drawing *d, const plb_options *o, const drawing_tools *t, page *to, error *err)
-{
-    error why = {ERROR_NONE, ""};
-    return draw_strokes(d, o, t, to, &why) || plb_fail(err, why.kind, "%s: %s", d->name, why.text);
-}
-
-static bool write_page(const page *p, const plb_options *o, const drawing_tools *t, const char *file, error *err)
-{
-    static const char *const arms[] = {"", "hand", "jerk", "spring"};
-    char seed[32], software[64];
-    snprintf(seed, sizeof seed, "%llu", (unsigned long long)o->seed);
-    snprintf(software, sizeof software, "Plumbago %s", plb_version());
-    const char *text[] = {"Software", software, "Plumbago-Seed", seed, "Plumbago-Pencil", plb_profile_name(t->profile),
-                          "Plumbago-Model", o->model == PLB_MODEL_HLA ? "hla" : "graphite", "Plumbago-Arm",
-                          arms[plb_api_arm(o)], NULL};
-    png_options png = {o->background == PLB_BACKGROUND_NONE ? PAGE_TRANSPARENT : PAGE_WHITE, o->dpi, text};
-    output out;
-    if (!plb_output_open(&out, file, err))
-        return false;
-    if (plb_page_write_png(p, &png, out.to, plb_output_shown(file), err))
-        return plb_output_commit(&out, err);
-    plb_output_discard(&out);
-    return false;
-}
-
-bool plb_drawing_write_png(const plb_drawing *d, const char *file, const plb_options *o, plb_error *failed)
-{
-    error err = {ERROR_NONE, ""};
-    drawing_tools t;
-    page p = {0};
-    if (plb_api_tools_init(&t, o, &err)) {
-        if (draw(d, o, &t, &p, &err))
-            write_page(&p, o, &t, file, &err);
-        plb_page_free(&p);
-        plb_api_tools_free(&t);
-    }
-    return plb_api_finish(&err, failed);
-}
-
-cairo_surface_t *plb_drawing_render(const plb_drawing *d, const plb_options *o, plb_error *failed)
-{
-    error err = {ERROR_NONE, ""};
-    drawing_tools t;
-    page p = {0};
-    cairo_surface_t *result = NULL;
-    if (plb_api_tools_init(&t, o, &err)) {
-        if (draw(d, o, &t, &p, &err))
-            result = plb_page_to_cairo(&p, o->background == PLB_BACKGROUND_NONE ? PAGE_TRANSPARENT : PAGE_WHITE, &err);
-        plb_page_free(&p);
-        plb_api_tools_free(&t);
-    }
-    plb_api_finish(&err, failed);
-    return result;
-}
-
-/* ---- one line ---- */
-
-typedef struct {
-    cairo_surface_t *surface;
-    const graphite *ink;
-} line_target;
-
-static bool lay_on_surface(void *closure, const patch *p)
-{
-    const line_target *to = closure;
-    return plb_lay_on_cairo(to->surface, to->ink, p);
-}
-
-/* The identity of a line is a hash of its ends and the caller's number, as that of a planned stroke is of its shape. */
-static uint64_t identity_of(const point ends[2], uint64_t number)
-{
-    uint64_t h = random_mix(number + 1);
-    for (int i = 0; i < 2; i++)
-        h = random_fold(h, llround(ends[i].x * 1000), llround(ends[i].y * 1000));
-    return h | 1;
-}
-
-bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, double y1, uint64_t number, const plb_options *o,
-                   plb_error *failed)
-{
-    error err = {ERROR_NONE, ""};
-    double mm = MM_PER_INCH / o->dpi;
-    point ends[2] = {{x0 * mm, y0 * mm}, {x1 * mm, y1 * mm}};
-    bool sane = fabs(x0) < 1e6 && fabs(y0) < 1e6 && fabs(x1) < 1e6 && fabs(y1) < 1e6;
-    if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS || cairo_surface_get_type(surface) != CAIRO_SURFACE_TYPE_IMAGE || !sane)
-        plb_fail(&err, ERROR_ARGUMENT, "a line needs an image surface and ends within a million pixels");
-    drawing_tools t;
-    if (err.kind == ERROR_NONE && plb_api_tools_init(&t, o, &err)) {
-        stroke one = {.touch = TOUCH_USUAL, .identity = identity_of(ends, number), .n = 2};
-        stroke_list list = {.strokes = {&one, 1, 1}, .points = {ends, 2, 2}};
-        stroke_scratch scratch = {0};
-        line_target to = {surface, &t.ink};
-        cairo_surface_flush(surface);
-        if (plb_point_distance(ends[0], ends[1]) > 0 && !plb_stroke_draw(&list, &one, &t.stroke, &scratch, lay_on_surface, &to, &err))
-            plb_fail(&err, ERROR_ARGUMENT, "cairo cannot draw on this surface");
-        cairo_surface_mark_dirty(surface);
-        plb_stroke_scratch_free(&scratch);
-        plb_api_tools_free(&t);
-    }
-    return plb_api_finish(&err, failed);
+    plb_free(c);
+    plb_bands_free(&bands);
+    plb_page_free(&p);
+    return ok && c ? true : plb_fail_memory(err);
 }

@@ -14,6 +14,7 @@
 #include "base/units.h"
 #include "stroke/stroke.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -29,6 +30,7 @@ typedef struct {
     double page_mm;       /* mm per page pixel */
     int samples;          /* per page pixel and direction */
     double half_width;    /* page pixels */
+    int top, foot;        /* rows wanted */
     patch p;
     int x1, y1;           /* the patch covers [p.x, x1) × [p.y, y1); empty when x1 <= p.x */
     uint8_t *fine;        /* darkness of each sample, `stride` a row; where pieces meet again in a tight bend, the darker */
@@ -63,7 +65,7 @@ static bool flush(mapper *m)
 {
     bool ok = true;
     int w = m->x1 - m->p.x, h = m->y1 - m->p.y;
-    if (w > 0 && h > 0) {
+    if (w > 0 && h > 0 && m->p.y < m->foot && m->y1 > m->top) {
         m->p.width = w;
         m->p.height = h;
         for (int y = 0; y < h; y++)
@@ -270,7 +272,8 @@ static bool map_window(mapper *m, piece k)
 {
     if (!make_room(m, &k))
         return false;
-    for (int j = 0; j < (k.y1 - k.y0) * m->samples; j++) {
+    int from = k.y0 < m->top ? m->top - k.y0 : 0, to = (k.y1 > m->foot ? m->foot : k.y1) - k.y0;
+    for (int j = from * m->samples; j < to * m->samples; j++) {
         size_t row = (size_t)((k.y0 - m->p.y) * m->samples + j), column = (size_t)((k.x0 - m->p.x) * m->samples);
         map_row(m, &k, k.y0 + (j + 0.5) / m->samples, m->fine + row * m->stride + column);
     }
@@ -303,12 +306,20 @@ static bool make_fine(map_room *room, size_t side)
     return room->fine != NULL;
 }
 
-bool plb_strip_map(const shading *s, double dpi, const path_samples *path, bool closed, map_room *room, patch_sink sink, void *closure)
+bool plb_strip_map(const shading *s, const map_page *page, const path_samples *path, bool closed, map_room *room, patch_sink sink,
+                   void *closure)
 {
-    mapper m = {.s = s, .strip_px = s->dpi / dpi, .page_mm = MM_PER_INCH / dpi, .sink = sink, .closure = closure};
+    double px = page->dpi / MM_PER_INCH, reach = STROKE_REACH_MM / MM_PER_INCH * s->dpi;
+    bool all = page->top == page->foot;
+    shading within = *s;
+    within.half_width = fmin(s->half_width, reach);
+    within.beyond = fmin(s->beyond, reach);
+    mapper m = {.s = &within, .strip_px = s->dpi / page->dpi, .page_mm = MM_PER_INCH / page->dpi, .sink = sink, .closure = closure};
+    m.top = all ? INT_MIN : page->top;
+    m.foot = all ? INT_MAX : page->foot;
     double n = floor(m.strip_px + 0.5); /* as dense as the texture, nearly */
     m.samples = n < 1 ? 1 : n > MOST_SAMPLES ? MOST_SAMPLES : (int)n;
-    m.half_width = s->half_width / m.strip_px;
+    m.half_width = within.half_width / m.strip_px;
     m.stride = (size_t)(PATCH_SIDE * m.samples);
     if (!make_fine(room, m.stride))
         return false;
@@ -316,6 +327,6 @@ bool plb_strip_map(const shading *s, double dpi, const path_samples *path, bool 
     m.kept = room->fine + m.stride * m.stride;
     bool ok = true;
     for (size_t i = 0; ok && i + 1 < path->n; i++)
-        ok = map_piece(&m, piece_of(&m, path->v + i, path->v + i + 1, dpi / MM_PER_INCH, i == 0 && !closed, i + 2 == path->n && !closed));
+        ok = map_piece(&m, piece_of(&m, path->v + i, path->v + i + 1, px, i == 0 && !closed, i + 2 == path->n && !closed));
     return ok && flush(&m);
 }

@@ -4,8 +4,14 @@
  */
 #include "stroke/stroke.h"
 
+#include "base/interpolate.h"
 #include "base/units.h"
 #include "stroke/pencil.h"
+
+#include <math.h>
+
+/* Rows beyond this are on no page. */
+#define MOST_ROWS 1e8
 
 void plb_stroke_scratch_free(stroke_scratch *s)
 {
@@ -58,5 +64,22 @@ bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_opti
             return false;
         texture = plb_strip_shading(&scratch->strip, dpi);
     }
-    return plb_strip_map(&texture, o->dpi, path, path->closed, &scratch->map, sink, closure);
+    map_page page = {o->dpi, o->clip_top, o->clip_foot};
+    return plb_strip_map(&texture, &page, path, path->closed, &scratch->map, sink, closure);
+}
+
+bool plb_stroke_rows(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, int *top, int *foot,
+                     error *err)
+{
+    path_samples *path = &scratch->path;
+    if (!plb_path_sample(list, s, o, path, err))
+        return false;
+    double low = path->n ? path->v[0].at.y : 0, high = low, px = o->dpi / MM_PER_INCH;
+    for (size_t i = 1; i < path->n; i++) {
+        low = fmin(low, path->v[i].at.y);
+        high = fmax(high, path->v[i].at.y);
+    }
+    *top = (int)clamp(floor((low - STROKE_REACH_MM) * px) - 1, -MOST_ROWS, MOST_ROWS);
+    *foot = (int)clamp(ceil((high + STROKE_REACH_MM) * px) + 1, -MOST_ROWS, MOST_ROWS);
+    return true;
 }

@@ -33,6 +33,7 @@ typedef struct {
     handedness handed;
     double squiggle; /* largest deviation D, mm, >= 0; negative: the arm's own */
     double dpi;      /* of the page's pixels */
+    int clip_top, clip_foot; /* only the page's rows [top, foot) are wanted; both 0: all */
 } stroke_options;
 
 /* ---- stages, each usable and testable alone ---- */
@@ -146,9 +147,20 @@ typedef struct {
     size_t size;
 } map_room;
 
-/* Lays the texture along the path and hands out the patches it makes on a page of `dpi` (strip_map.c). A pixel of the
- * page belongs to one patch of a stroke only, except where the stroke crosses itself. */
-bool plb_strip_map(const shading *s, double dpi, const path_samples *path, bool closed, map_room *room, patch_sink sink, void *closure);
+/* No pencil leaves graphite farther than this from its path, whatever a profile says. */
+#define STROKE_REACH_MM 4.0
+
+/* The page as the mapping sees it: its resolution, and the rows [top, foot) that are wanted. */
+typedef struct {
+    double dpi;
+    int top, foot;
+} map_page;
+
+/* Lays the texture along the path and hands out the patches it makes on the page (strip_map.c). A pixel of the page belongs
+ * to one patch of a stroke only, except where the stroke crosses itself. The rows wanted get the same pixels whatever
+ * others are. */
+bool plb_strip_map(const shading *s, const map_page *page, const path_samples *path, bool closed, map_room *room, patch_sink sink,
+                   void *closure);
 
 /* ---- the graphite model (texture_grain.c) ---- */
 
@@ -195,5 +207,9 @@ void plb_stroke_scratch_free(stroke_scratch *s);
 /* The whole stroke. False and `err` when out of memory, over a limit, or when the sink stops it. */
 bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, patch_sink sink,
                      void *closure, error *err);
+
+/* Rows [top, foot) of the page that the stroke may touch, of options->dpi. */
+bool plb_stroke_rows(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, int *top, int *foot,
+                     error *err);
 
 #endif

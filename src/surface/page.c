@@ -17,6 +17,9 @@
 /* Graphite shines: it is never black (natural graphite reflects; darkest patch pixels scanned are about 60). */
 #define DARKEST_POSSIBLE 24
 
+/* Rows that one lock guards: threads seldom meet, and a patch takes one to three. */
+#define STRIPE 64
+
 /* From the bounds, not from the darkest pixel ever scanned: that may be a speck of dust. */
 static int darkest_of(const profile *p)
 {
@@ -39,41 +42,123 @@ void plb_graphite_init(graphite *g, const profile *p)
         g->grey[d] = (uint8_t)floor(darkest + depth * exp(-d * DEPOSIT_UNIT) + 0.5);
 }
 
-bool plb_page_init(page *p, double width_px, double height_px, const graphite *ink, error *err)
+bool plb_page_size(double width_px, double height_px, int *width, int *height, error *err)
 {
-    memset(p, 0, sizeof *p);
     double w = floor(width_px + 0.5), h = floor(height_px + 0.5);
     w = w < 1 ? 1 : w;
     h = h < 1 ? 1 : h;
     if (!(w * h <= PAGE_MAX_PIXELS && w < 1e6 && h < 1e6))
         return plb_fail(err, ERROR_LIMIT, "a page of %.0f by %.0f pixels is too large", w, h);
-    p->width = (int)w;
-    p->height = (int)h;
-    p->ink = ink;
-    p->deposit = plb_new((size_t)w * (size_t)h, sizeof *p->deposit);
-    p->touched = plb_new((size_t)h, sizeof *p->touched);
-    return (p->deposit && p->touched) || plb_fail(err, ERROR_MEMORY, "out of memory for a page of %.0f by %.0f pixels", w, h);
+    *width = (int)w;
+    *height = (int)h;
+    return true;
+}
+
+static void begin_band(page *p, int top)
+{
+    p->top = top;
+    p->rows = p->height - top < p->most_rows ? p->height - top : p->most_rows;
+    for (int y = 0; y < p->rows; y++)
+        p->marked[y] = (row_extent){p->width, 0};
+}
+
+bool plb_page_init(page *p, int width, int height, int rows, const graphite *ink, error *err)
+{
+    memset(p, 0, sizeof *p);
+    rows = rows > height ? height : rows;
+    *p = (page){.width = width, .height = height, .most_rows = rows, .ink = ink};
+    p->deposit = plb_new((size_t)width * (size_t)rows, sizeof *p->deposit);
+    p->marked = plb_new((size_t)rows, sizeof *p->marked);
+    p->lock = plb_new((size_t)(rows / STRIPE + 1), sizeof *p->lock);
+    if (!p->deposit || !p->marked || !p->lock)
+        return plb_fail(err, ERROR_MEMORY, "out of memory for a page of %d by %d pixels", width, height);
+    while (p->locks < rows / STRIPE + 1)
+        if (pthread_mutex_init(&p->lock[p->locks++], NULL) != 0)
+            return plb_fail_memory(err);
+    begin_band(p, 0);
+    return true;
 }
 
 void plb_page_free(page *p)
 {
+    for (int k = 0; k < p->locks; k++)
+        pthread_mutex_destroy(&p->lock[k]);
+    plb_free(p->lock);
     plb_free(p->deposit);
-    plb_free(p->touched);
+    plb_free(p->marked);
     memset(p, 0, sizeof *p);
+}
+
+static uint16_t *row_of(const page *p, int y)
+{
+    return p->deposit + (size_t)(y - p->top) * (size_t)p->width;
+}
+
+bool plb_page_next_band(page *p)
+{
+    if (p->top + p->rows >= p->height)
+        return false;
+    for (int y = p->top; y < p->top + p->rows; y++) {
+        row_extent e = p->marked[y - p->top];
+        if (e.from < e.to)
+            memset(row_of(p, y) + e.from, 0, (size_t)(e.to - e.from) * sizeof *p->deposit);
+    }
+    begin_band(p, p->top + p->rows);
+    return true;
+}
+
+/* Columns x0 to x1 of a row of the patch, which begins at column `left` of the page. */
+static void lay_row(const uint16_t deposit[256], const uint8_t *grey, uint16_t *to, int n)
+{
+    for (int x = 0; x < n; x++) {
+        unsigned sum = to[x] + (unsigned)deposit[grey[x]];
+        to[x] = (uint16_t)(sum > 65535 ? 65535 : sum);
+    }
+}
+
+/* Rows y0 to y1 of the page, all in one stripe, columns x0 to x1. */
+static void lay_rows(page *p, const patch *from, int x0, int x1, int y0, int y1)
+{
+    for (int y = y0; y < y1; y++) {
+        row_extent *e = &p->marked[y - p->top];
+        e->from = x0 < e->from ? x0 : e->from;
+        e->to = x1 > e->to ? x1 : e->to;
+        lay_row(p->ink->deposit, from->grey + (y - from->y) * from->width + (x0 - from->x), row_of(p, y) + x0, x1 - x0);
+    }
 }
 
 void plb_page_lay(page *p, const patch *from)
 {
-    int x0 = from->x < 0 ? -from->x : 0, y0 = from->y < 0 ? -from->y : 0;
-    int x1 = from->x + from->width > p->width ? p->width - from->x : from->width;
-    int y1 = from->y + from->height > p->height ? p->height - from->y : from->height;
-    for (int y = y0; y < y1; y++) {
-        const uint8_t *grey = from->grey + (size_t)y * (size_t)from->width;
-        p->touched[from->y + y] = true;
-        uint16_t *to = p->deposit + (size_t)(from->y + y) * (size_t)p->width + from->x;
-        for (int x = x0; x < x1; x++) {
-            unsigned sum = to[x] + (unsigned)p->ink->deposit[grey[x]];
-            to[x] = (uint16_t)(sum > 65535 ? 65535 : sum);
-        }
+    int x0 = from->x < 0 ? 0 : from->x, x1 = from->x + from->width < p->width ? from->x + from->width : p->width;
+    int foot = p->top + p->rows, y1 = from->y + from->height < foot ? from->y + from->height : foot;
+    for (int y = from->y < p->top ? p->top : from->y; y < y1 && x0 < x1;) {
+        int stripe = (y - p->top) / STRIPE, end = p->top + (stripe + 1) * STRIPE;
+        end = end < y1 ? end : y1;
+        pthread_mutex_lock(&p->lock[stripe]);
+        lay_rows(p, from, x0, x1, y, end);
+        pthread_mutex_unlock(&p->lock[stripe]);
+        y = end;
+    }
+}
+
+int plb_page_channels(page_background background)
+{
+    return background == PAGE_WHITE ? 1 : 2;
+}
+
+void plb_page_row(const page *p, page_background background, int y, uint8_t *out)
+{
+    row_extent e = p->marked[y - p->top];
+    const uint16_t *from = row_of(p, y);
+    int darkest = p->ink->darkest, depth = 255 - darkest, channels = plb_page_channels(background);
+    memset(out, background == PAGE_WHITE ? 255 : 0, (size_t)p->width * (size_t)channels);
+    if (background == PAGE_WHITE) {
+        for (int x = e.from; x < e.to; x++)
+            out[x] = p->ink->grey[from[x]];
+        return;
+    }
+    for (int x = 0; x < p->width; x++) {
+        out[2 * x] = (uint8_t)darkest;
+        out[2 * x + 1] = (uint8_t)(((255 - p->ink->grey[from[x]]) * 255 + depth / 2) / depth);
     }
 }

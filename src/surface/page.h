@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * The page: graphite on paper. Strokes that cross add up as optical densities do and saturate at the darkest grey the
- * pencil has; nothing ever gets lighter. Deposits are whole numbers, so the sum is the same in any order.
+ * pencil has; nothing ever gets lighter. Deposits are whole numbers, so the sum is the same in any order, and several
+ * threads may lay patches at once. Only a band of the page, some whole rows, is in memory at a time.
  */
 #ifndef PLB_SURFACE_PAGE_H
 #define PLB_SURFACE_PAGE_H
@@ -11,8 +12,9 @@
 #include "profile/profile.h"
 
 #include <cairo.h>
+#include <pthread.h>
+#include <stddef.h>
 #include <stdint.h>
-#include <stdio.h>
 
 /* How grey becomes deposit and back: fixed for one pencil. */
 typedef struct {
@@ -23,34 +25,47 @@ typedef struct {
 
 void plb_graphite_init(graphite *g, const profile *p);
 
+/* Columns [from, to) of a row may hold graphite, others hold none. */
 typedef struct {
-    int width, height;   /* pixels */
+    int from, to;
+} row_extent;
+
+typedef struct {
+    int width, height;   /* of the whole page, pixels */
+    int top, rows;       /* the band in memory: rows [top, top + rows) */
+    int most_rows;       /* that a band can have */
     uint16_t *deposit;   /* row by row */
-    bool *touched;       /* per row: whether anything was laid there */
+    row_extent *marked;  /* of each row */
+    pthread_mutex_t *lock; /* of each stripe of rows */
+    int locks;
     const graphite *ink; /* borrowed */
 } page;
 
-/* The most pixels a page may have (two bytes each): A0 at 600 dpi fits. */
-#define PAGE_MAX_PIXELS ((double)600e6)
+/* The most pixels a page may have: A0 at 3600 dpi fits. */
+#define PAGE_MAX_PIXELS ((double)20e9)
 
-/* False and `err` when too large or out of memory. */
-bool plb_page_init(page *p, double width_px, double height_px, const graphite *ink, error *err);
+/* Whole pixels of a page of so many; false and `err` when it is too large. */
+bool plb_page_size(double width_px, double height_px, int *width, int *height, error *err);
+/* A page with a first band of at most `rows`, blank. False and `err` when out of memory; free it then, too. */
+bool plb_page_init(page *p, int width, int height, int rows, const graphite *ink, error *err);
 void plb_page_free(page *p);
-/* Lays a patch; what lies outside the page is lost. */
+/* On to the band below, blank; false at the foot of the page. */
+bool plb_page_next_band(page *p);
+/* Lays a patch; what lies outside the band is lost. May be called by several threads. */
 void plb_page_lay(page *p, const patch *from);
 
 typedef enum { PAGE_WHITE, PAGE_TRANSPARENT } page_background;
-typedef struct {
-    page_background background;
-    double dpi;
-    /* Pairs keyword, text; ends with NULL. For the PNG's text chunks. */
-    const char *const *text;
-} png_options;
 
-/* As 8-bit grey PNG, with alpha when the background is transparent (page_png.c). `name` is for messages. */
-bool plb_page_write_png(const page *p, const png_options *o, FILE *to, const char *name, error *err);
-/* As a new cairo image surface, ARGB32 (page_cairo.c). The caller destroys it. */
-cairo_surface_t *plb_page_to_cairo(const page *p, page_background background, error *err);
+/* The bytes of a pixel in pictures with this background: grey, or grey and alpha. */
+int plb_page_channels(page_background background);
+/* Row y of the page, in the band, as such bytes. Graphite on nothing is of one grey, the darkest, more or less opaque: over
+ * white it looks as the opaque page does. */
+void plb_page_row(const page *p, page_background background, int y, uint8_t *out);
+
+/* A cairo image surface, ARGB32, for the page. The caller destroys it. NULL and `err` when cairo makes none so large. */
+cairo_surface_t *plb_page_surface_new(int width, int height, error *err);
+/* Copies the band at hand to its place there. */
+void plb_page_to_cairo(const page *p, page_background background, cairo_surface_t *to);
 /* Lays a patch straight onto a cairo image surface, darkening it. */
 bool plb_lay_on_cairo(cairo_surface_t *surface, const graphite *ink, const patch *from);
 

@@ -6,20 +6,24 @@
 
 #include <string.h>
 
-cairo_surface_t *plb_page_to_cairo(const page *p, page_background background, error *err)
+cairo_surface_t *plb_page_surface_new(int width, int height, error *err)
 {
-    cairo_surface_t *s = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, p->width, p->height);
-    if (cairo_surface_status(s) != CAIRO_STATUS_SUCCESS) {
-        plb_fail(err, ERROR_LIMIT, "cairo makes no surface of %d by %d pixels: %s", p->width, p->height,
-                 cairo_status_to_string(cairo_surface_status(s)));
-        cairo_surface_destroy(s);
-        return NULL;
-    }
-    unsigned char *data = cairo_image_surface_get_data(s);
-    size_t stride = (size_t)cairo_image_surface_get_stride(s);
+    cairo_surface_t *s = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
+    if (cairo_surface_status(s) == CAIRO_STATUS_SUCCESS)
+        return s;
+    plb_fail(err, ERROR_LIMIT, "cairo makes no surface of %d by %d pixels: %s", width, height,
+             cairo_status_to_string(cairo_surface_status(s)));
+    cairo_surface_destroy(s);
+    return NULL;
+}
+
+void plb_page_to_cairo(const page *p, page_background background, cairo_surface_t *to)
+{
+    unsigned char *data = cairo_image_surface_get_data(to);
+    size_t stride = (size_t)cairo_image_surface_get_stride(to);
     uint32_t darkest = (uint32_t)p->ink->darkest, depth = 255 - darkest;
-    for (int y = 0; y < p->height; y++) {
-        uint32_t *row = (uint32_t *)(void *)(data + (size_t)y * stride);
+    for (int y = 0; y < p->rows; y++) {
+        uint32_t *row = (uint32_t *)(void *)(data + (size_t)(p->top + y) * stride);
         for (int x = 0; x < p->width; x++) {
             uint32_t grey = p->ink->grey[p->deposit[(size_t)y * (size_t)p->width + (size_t)x]];
             uint32_t alpha = 255;
@@ -30,8 +34,7 @@ cairo_surface_t *plb_page_to_cairo(const page *p, page_background background, er
             row[x] = alpha << 24 | grey << 16 | grey << 8 | grey;
         }
     }
-    cairo_surface_mark_dirty(s);
-    return s;
+    cairo_surface_mark_dirty(to);
 }
 
 /* One premultiplied channel `c` of a pixel with opacity `a`, under graphite of grey `g` and opacity `t`, all 0 to 255:

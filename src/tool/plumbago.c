@@ -10,6 +10,7 @@
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
+#include <strings.h>
 #include <sys/stat.h>
 #include <time.h>
 #include <unistd.h>
@@ -121,6 +122,15 @@ static bool set_background(void *p, const char *v)
     int i;
     return choose(v, (const char *const[]){"white", "none"}, 2, &i) ? (((settings *)p)->o.background = (plb_background)i, true) : false;
 }
+static bool parse_int(const char *text, int most, int *value)
+{
+    uint64_t v;
+    bool ok = parse_seed(text, &v) && v <= (uint64_t)most;
+    *value = ok ? (int)v : *value;
+    return ok;
+}
+static bool set_threads(void *p, const char *v) { return parse_int(v, 64, &((settings *)p)->o.threads) && *v != '0'; }
+static bool set_compress(void *p, const char *v) { return parse_int(v, 9, &((settings *)p)->o.compress); }
 static bool set_dump(void *p, const char *v)
 {
     return choose(v, (const char *const[]){"list", "strokes", "controls"}, 3, &((settings *)p)->dump);
@@ -145,9 +155,10 @@ static bool set_help(void *p, const char *v) { return (void)v, ((settings *)p)->
 
 static const option table[] = {
     {0, NULL, NULL, "Output", NULL},
-    {'o', "output", "FILE", "write to FILE; '-': standard output [FILE's name with .png]", set_output},
+    {'o', "output", "FILE", "write FILE, PNG or .pdf; '-': standard output [FILE's name with .png]", set_output},
     {'d', "dpi", "DPI", "resolution, 10 to 4800 pixels per inch [300]", set_dpi},
     {0, "background", "white|none", "paper, or nothing behind the graphite [white]", set_background},
+    {0, "compress", "0..9", "0: large at once, 9: small and slow [1]", set_compress},
     {0, NULL, NULL, "Size on paper (LEN: a number or fraction with mm cm in pt px)", NULL},
     {0, "width", "LEN", "width of the page [the drawing's own]", set_width},
     {0, "height", "LEN", "height of the page [the drawing's own]", set_height},
@@ -163,6 +174,8 @@ static const option table[] = {
     {0, NULL, NULL, "What is drawn", NULL},
     {0, "fill", "outline|none", "what becomes of filled shapes [outline]", set_fill},
     {0, "hand", "right|left|none", "which hand draws; none: all directions alike [right]", set_hand},
+    {0, NULL, NULL, "Work", NULL},
+    {0, "threads", "N", "at most N threads, 1 to 64 [as many as processors]", set_threads},
     {0, NULL, NULL, "Diagnosis", NULL},
     {0, "dump", "list|strokes|controls", "show what a stage made instead of drawing", set_dump},
     {'q', "quiet", NULL, "no warnings, no progress", set_quiet},
@@ -274,6 +287,20 @@ static uint64_t random_seed(void)
     return seed % 1000000000u; /* short enough to type again */
 }
 
+static bool ends_with(const char *name, const char *suffix)
+{
+    size_t n = strlen(name), m = strlen(suffix);
+    return n > m && !strcasecmp(name + n - m, suffix);
+}
+
+/* The suffix says what is written. */
+static bool write_result(const settings *s, const plb_drawing *d, const char *to, plb_error *e)
+{
+    if (s->dump >= 0)
+        return plb_drawing_dump(d, (plb_dump)s->dump, to, &s->o, e);
+    return (ends_with(to, ".pdf") ? plb_drawing_write_pdf : plb_drawing_write_png)(d, to, &s->o, e);
+}
+
 static int draw(settings *s, const char *input, const char *to)
 {
     plb_error e = {PLB_OK, ""};
@@ -282,7 +309,7 @@ static int draw(settings *s, const char *input, const char *to)
         return fail(s, &e);
     s->o.profile = pencil;
     plb_drawing *d = plb_drawing_load(input, &s->o, &e);
-    bool ok = d && (s->dump >= 0 ? plb_drawing_dump(d, (plb_dump)s->dump, to, &s->o, &e) : plb_drawing_write_png(d, to, &s->o, &e));
+    bool ok = d && write_result(s, d, to, &e);
     if (ok && s->verbose)
         fprintf(stderr, PROGRAM ": %zu strokes on %.1f x %.1f mm with %s, seed %llu: %s\n", plb_drawing_strokes(d), plb_drawing_width(d),
                 plb_drawing_height(d), plb_profile_name(pencil), (unsigned long long)s->o.seed, to);

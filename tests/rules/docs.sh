@@ -39,5 +39,5 @@ dead=$(for f in README.md NEWS.md tests/README.md; do
 done)
 report "no dead links" "$dead"
 # C in comments and documents is British.
-american=$(grep -rnwiE 'color|colors|center|centered|gray|grays|behavior|neighbor|neighbors|initialize|recognize|normalize|serialize' src --include='*.[ch]' | grep -vE 'cairo|png_|PNG_|rsvg|setgray|settinggray|"[^"]*(gray|color|center)[^"]*"|#include' | cut -c 1-160)
+american=$(grep -rnwiE 'color|colors|center|centered|gray|grays|behavior|neighbor|neighbors|initialize|recognize|normalize|serialize' src --include='*.[ch]' | grep -vE 'cairo|png_|PNG_|rsvg|setgray|settinggray|"[^"]*(gray|[Cc]olor|center)[^"]*"|#include' | cut -c 1-160)
 report "British spelling in src" "$american"

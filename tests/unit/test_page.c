@@ -46,7 +46,7 @@ static void map_even_strip(const point *base, size_t n, bool closed, double dpi,
     map_room room = {0};
     memset(c, 0, sizeof *c);
     shading texture = plb_strip_shading(&even, 300);
-    CHECK(plb_strip_map(&texture, dpi, &path, closed, &room, count, c));
+    CHECK(plb_strip_map(&texture, &(map_page){.dpi = dpi}, &path, closed, &room, count, c));
     free(even.grey);
     plb_free(room.fine);
     array_free(&path);
@@ -114,7 +114,7 @@ static void deposits_darken_and_saturate(void)
     CHECK(ink.darkest < 90);
     for (int g = ink.darkest + 1; g < 256; g++)
         CHECK(ink.grey[ink.deposit[g]] == g); /* a stroke alone looks as its texture says */
-    CHECK(plb_page_init(&p, 8, 8, &ink, NULL));
+    CHECK(plb_page_init(&p, 8, 8, 8, &ink, NULL));
     static patch dot = {.x = -1, .y = 6, .width = 3, .height = 3};
     memset(dot.grey, 170, 9);
     int before = 255;
@@ -126,8 +126,9 @@ static void deposits_darken_and_saturate(void)
     }
     CHECK(before == ink.darkest && p.deposit[5 * 8] == 0 && p.deposit[6 * 8 + 2] == 0);
     plb_page_free(&p);
-    CHECK(!plb_page_init(&p, 1e9, 1e9, &ink, NULL));
-    CHECK(!plb_page_init(&p, (double)NAN, 5, &ink, NULL));
+    int w, h;
+    CHECK(!plb_page_size(1e9, 1e9, &w, &h, NULL));
+    CHECK(!plb_page_size((double)NAN, 5, &w, &h, NULL));
     free_profile_for_tests(f);
 }
 
@@ -137,7 +138,7 @@ static void order_does_not_matter(void)
     graphite ink;
     page a, b;
     plb_graphite_init(&ink, f);
-    CHECK(plb_page_init(&a, 60, 60, &ink, NULL) && plb_page_init(&b, 60, 60, &ink, NULL));
+    CHECK(plb_page_init(&a, 60, 60, 60, &ink, NULL) && plb_page_init(&b, 60, 60, 60, &ink, NULL));
     static patch patches[40];
     for (int k = 0; k < 40; k++) {
         patches[k] = (patch){.x = k, .y = 40 - k, .width = 20, .height = 20};

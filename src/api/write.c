@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The drawn page as a file or as the caller's cairo surface.
+ */
+#include "api/render.h"
+
+#include "base/output.h"
+#include "surface/picture.h"
+
+#include <string.h>
+
+/* What a picture says of itself. */
+typedef struct {
+    char seed[32], software[64];
+    const char *text[11];
+} labels;
+
+static void label(labels *l, const plb_options *o, const drawing_tools *t)
+{
+    static const char *const arms[] = {"", "hand", "jerk", "spring"};
+    snprintf(l->seed, sizeof l->seed, "%llu", (unsigned long long)o->seed);
+    snprintf(l->software, sizeof l->software, "Plumbago %s", plb_version());
+    const char *text[] = {"Software", l->software, "Plumbago-Seed", l->seed, "Plumbago-Pencil", plb_profile_name(t->profile),
+                          "Plumbago-Model", o->model == PLB_MODEL_HLA ? "hla" : "graphite", "Plumbago-Arm", arms[plb_api_arm(o)], NULL};
+    memcpy(l->text, text, sizeof text);
+}
+
+static page_background background_of(const plb_options *o)
+{
+    return o->background == PLB_BACKGROUND_NONE ? PAGE_TRANSPARENT : PAGE_WHITE;
+}
+
+static bool add_band(void *closure, const page *band, error *err)
+{
+    return plb_picture_add(closure, band, err);
+}
+
+/* Draws into the open file. */
+static bool draw_into(FILE *to, const plb_drawing *d, const plb_options *o, picture_options *how, const char *name, error *err)
+{
+    drawing_tools t;
+    page_plan plan;
+    labels l;
+    if (!plb_api_tools_init(&t, o, err))
+        return false;
+    label(&l, o, &t);
+    how->text = l.text;
+    bool ok = plb_page_plan(d, o, &plan, err);
+    if (ok) {
+        how->members = plan.members;
+        plb_page_plan_rows(&plan, plb_picture_rows(plan.width, how));
+        picture *p = plb_picture_new(plan.width, plan.height, how, to, name, err);
+        ok = p && plb_render(d, o, &t, &plan, add_band, p, err) && plb_picture_end(p, err);
+        plb_picture_free(p);
+    }
+    plb_api_tools_free(&t);
+    return ok;
+}
+
+static bool write_picture(const plb_drawing *d, const char *file, picture_format format, const plb_options *o, error *err)
+{
+    picture_options how = {.format = format, .background = background_of(o), .dpi = o->dpi, .level = o->compress};
+    how.width_mm = d->list.width;
+    how.height_mm = d->list.height;
+    output out;
+    if (!plb_api_check(o, err) || !plb_output_open(&out, file, err))
+        return false;
+    if (draw_into(out.to, d, o, &how, plb_output_shown(file), err))
+        return plb_output_commit(&out, err);
+    plb_output_discard(&out);
+    return false;
+}
+
+bool plb_drawing_write_png(const plb_drawing *d, const char *file, const plb_options *o, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    write_picture(d, file, PICTURE_PNG, o, &err);
+    return plb_api_finish(&err, failed);
+}
+
+bool plb_drawing_write_pdf(const plb_drawing *d, const char *file, const plb_options *o, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    write_picture(d, file, PICTURE_PDF, o, &err);
+    return plb_api_finish(&err, failed);
+}
+
+/* ---- onto a surface ---- */
+
+typedef struct {
+    cairo_surface_t *surface;
+    page_background background;
+} surface_target;
+
+static bool copy_band(void *closure, const page *band, error *err)
+{
+    const surface_target *to = closure;
+    (void)err;
+    plb_page_to_cairo(band, to->background, to->surface);
+    return true;
+}
+
+static cairo_surface_t *draw_surface(const plb_drawing *d, const plb_options *o, const drawing_tools *t, error *err)
+{
+    page_plan plan;
+    if (!plb_page_plan(d, o, &plan, err))
+        return NULL;
+    plb_page_plan_rows(&plan, 1);
+    surface_target to = {plb_page_surface_new(plan.width, plan.height, err), background_of(o)};
+    if (to.surface && plb_render(d, o, t, &plan, copy_band, &to, err))
+        return to.surface;
+    cairo_surface_destroy(to.surface);
+    return NULL;
+}
+
+cairo_surface_t *plb_drawing_render(const plb_drawing *d, const plb_options *o, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    drawing_tools t;
+    cairo_surface_t *result = NULL;
+    if (plb_api_tools_init(&t, o, &err)) {
+        result = draw_surface(d, o, &t, &err);
+        plb_api_tools_free(&t);
+    }
+    plb_api_finish(&err, failed);
+    return result;
+}

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+# What is written: PDF at its true size, threads that change nothing, smaller and larger files of the same picture.
+. "$ROOT/tests/check.sh"
+example a.svg
+
+# ---- threads ----
+draws "--threads 1" --threads 1 -o one.png a.svg
+for n in 2 8 64; do
+    draws "--threads $n" --threads $n -o many.png a.svg
+    same "--threads $n: the same bytes" many.png one.png
+done
+for value in 0 65 -1 1.5 two ""; do misused "--threads '$value'" threads --threads "$value" a.svg; done
+
+# ---- compression ----
+for level in 0 1 5 9; do
+    draws "--compress $level" --compress $level -o c$level.png a.svg
+    if tool png_compare one.png c$level.png >"$TMP/said"; then ok "--compress $level: the same picture"; else fail "--compress $level: the same picture" "$(cat "$TMP/said")"; fi
+done
+if [ "$(wc -c <c0.png)" -gt "$(wc -c <c1.png)" ] && [ "$(wc -c <c1.png)" -ge "$(wc -c <c9.png)" ]; then ok "more compression, smaller files"; else fail "more compression, smaller files" "$(wc -c c?.png | tr '\n' ' ')"; fi
+for value in 10 -1 fast ""; do misused "--compress '$value'" compress --compress "$value" a.svg; done
+
+# ---- PDF ----
+draws "-o x.pdf" -o x.pdf a.svg
+draws "-o y.PDF, with nothing behind" --background none -o y.PDF a.svg
+draws "-o z.pdf, with other threads" --threads 3 -o z.pdf a.svg
+same "a PDF has the same bytes again" x.pdf z.pdf
+if [ "$(head -c 5 x.pdf)" = "%PDF-" ]; then ok "it is a PDF"; else fail "it is a PDF" "$(head -c 20 x.pdf | od -c | head -n 2)"; fi
+if command -v pdfinfo >/dev/null && command -v pdfimages >/dev/null; then
+    # 40 mm by 30 mm are 113.386 by 85.039 pt.
+    size=$(pdfinfo x.pdf 2>&1 | sed -n 's/^Page size: *//p')
+    case $size in "113.386 x 85.039"* | "113.386 x 85.0394"*) ok "the page has its true size" ;; *) fail "the page has its true size" "$size" ;; esac
+    pdfimages -png x.pdf page >"$TMP/said" 2>&1
+    if tool png_compare one.png page-000.png >>"$TMP/said"; then ok "its image is the PNG's"; else fail "its image is the PNG's" "$(head -n 1 "$TMP/said")"; fi
+    if pdfinfo y.PDF 2>&1 | grep -q '^Producer: *Plumbago'; then ok "it says who made it"; else fail "it says who made it" "$(pdfinfo y.PDF 2>&1 | head -n 1)"; fi
+else
+    skip "the page has its true size" "no pdfinfo or pdfimages here"
+fi
+if command -v gs >/dev/null; then
+    gs -q -dNOPAUSE -dBATCH -dPDFSTOPONERROR -dPDFSTOPONWARNING -sDEVICE=pnggray -r72 -o gs.png x.pdf >"$TMP/said" 2>&1
+    if [ -s gs.png ] && [ ! -s "$TMP/said" ]; then ok "another reader has no complaint"; else fail "another reader has no complaint" "$(head -n 1 "$TMP/said")"; fi
+fi

@@ -1,0 +1,181 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The page in bands and by several threads: the same pixels, the same bytes in files, however it is cut and shared out.
+ */
+#include "check.h"
+
+#include "api/render.h"
+#include "base/random.h"
+#include "surface/picture.h"
+
+#define WIDTH_MM 30.0
+#define HEIGHT_MM 40.0
+#define STROKES 60
+
+/* Strokes of all kinds: short, as tall as the page, off its edges, and curls that cross themselves. */
+static bool fill_strokes(stroke_list *list)
+{
+    bool ok = true;
+    for (uint64_t k = 0; ok && k < STROKES; k++) {
+        size_t n = k % 4 == 3 ? 40 : 2, first = list->points.n;
+        double x = 36 * random_unit(1, 10 * k) - 3, y = 46 * random_unit(1, 10 * k + 1) - 3, far = k % 5 ? 8 : 50;
+        double turn = 7 * random_unit(1, 10 * k + 2);
+        for (size_t i = 0; ok && i < n; i++) {
+            double u = (double)i / (double)(n - 1), r = n > 2 ? 1 + 2 * u : far * u;
+            point p = {x + r * cos(turn + (n > 2 ? 9 * u : 0)), y + r * sin(turn + (n > 2 ? 9 * u : 0))};
+            ok = array_push(&list->points, p);
+        }
+        stroke s = {.touch = TOUCH_USUAL, .identity = k + 1, .first = first, .n = n};
+        ok = ok && array_push(&list->strokes, s);
+    }
+    return ok;
+}
+
+static plb_drawing *drawing_for_tests(void)
+{
+    static char name[] = "drawing";
+    plb_drawing *d = calloc(1, sizeof *d);
+    d->name = name;
+    d->list.width = d->strokes.width = WIDTH_MM;
+    d->list.height = d->strokes.height = HEIGHT_MM;
+    CHECK(fill_strokes(&d->strokes));
+    return d;
+}
+
+static void free_drawing(plb_drawing *d)
+{
+    plb_stroke_list_free(&d->strokes);
+    free(d);
+}
+
+typedef struct {
+    uint8_t *v;
+    int next; /* row */
+} whole_page;
+
+static bool take(void *closure, const page *band, error *err)
+{
+    whole_page *to = closure;
+    (void)err;
+    CHECK(band->top == to->next);
+    for (int y = 0; y < band->rows; y++)
+        plb_page_row(band, PAGE_WHITE, band->top + y, to->v + (size_t)(band->top + y) * (size_t)band->width);
+    to->next += band->rows;
+    return true;
+}
+
+static uint8_t *render(const plb_drawing *d, const plb_options *o, int rows, int members, size_t *size)
+{
+    drawing_tools t;
+    page_plan plan;
+    error err = {ERROR_NONE, ""};
+    CHECK(plb_api_tools_init(&t, o, &err) && plb_page_plan(d, o, &plan, &err));
+    plan.rows = rows ? rows : plan.height;
+    plan.members = members;
+    *size = (size_t)plan.width * (size_t)plan.height;
+    whole_page to = {malloc(*size), 0};
+    CHECK(plb_render(d, o, &t, &plan, take, &to, &err) && to.next == plan.height);
+    plb_api_tools_free(&t);
+    return to.v;
+}
+
+static void bands_and_threads_change_no_pixel(void)
+{
+    static const double dpi[] = {60, 110, 300, 500};
+    static const int rows[] = {0, 1, 37, 300}, members[] = {2, 1, 8, 3};
+    plb_drawing *d = drawing_for_tests();
+    for (int m = 0; m < 2; m++)
+        for (int k = 0; k < 4; k++) {
+            plb_options o = plb_options_default();
+            o.model = m ? PLB_MODEL_HLA : PLB_MODEL_GRAPHITE;
+            o.dpi = dpi[k];
+            size_t size, same;
+            uint8_t *whole = render(d, &o, 0, 1, &size), darkest = 255;
+            for (size_t i = 0; i < size; i++)
+                darkest = whole[i] < darkest ? whole[i] : darkest;
+            CHECK(darkest < 200);
+            for (int i = 0; i < 4; i++) {
+                if (rows[i] == 1 && k > 0)
+                    continue; /* takes long, and says no more */
+                uint8_t *cut = render(d, &o, rows[i], members[i], &same);
+                CHECK(same == size && !memcmp(whole, cut, size));
+                free(cut);
+            }
+            free(whole);
+        }
+    free_drawing(d);
+}
+
+static bool add(void *closure, const page *band, error *err)
+{
+    return plb_picture_add(closure, band, err);
+}
+
+/* The file that a page cut into bands of `pieces` pieces gives. */
+static size_t write(const plb_drawing *d, picture_format format, int pieces, int members, char **bytes)
+{
+    plb_options o = plb_options_default();
+    o.dpi = 900; /* some pieces */
+    size_t size = 0;
+    drawing_tools t;
+    page_plan plan;
+    error err = {ERROR_NONE, ""};
+    picture_options how = {.format = format, .dpi = o.dpi, .level = 1, .members = members, .width_mm = WIDTH_MM, .height_mm = HEIGHT_MM};
+    FILE *to = open_memstream(bytes, &size);
+    CHECK(plb_api_tools_init(&t, &o, &err) && plb_page_plan(d, &o, &plan, &err));
+    int rows = plb_picture_rows(plan.width, &how);
+    CHECK(rows * 2 < plan.height);
+    plan.rows = pieces ? pieces * rows : plan.height;
+    plan.members = members;
+    picture *p = plb_picture_new(plan.width, plan.height, &how, to, "picture", &err);
+    CHECK(p && plb_render(d, &o, &t, &plan, add, p, &err) && plb_picture_end(p, &err));
+    plb_picture_free(p);
+    plb_api_tools_free(&t);
+    fclose(to);
+    return size;
+}
+
+static void files_are_the_same(void)
+{
+    plb_drawing *d = drawing_for_tests();
+    for (int f = 0; f < 2; f++) {
+        char *whole, *cut;
+        size_t size = write(d, (picture_format)f, 0, 1, &whole);
+        for (int k = 1; k < 4; k++) {
+            CHECK(write(d, (picture_format)f, k, k * 2, &cut) == size && !memcmp(whole, cut, size));
+            free(cut);
+        }
+        free(whole);
+    }
+    free_drawing(d);
+}
+
+/* A stroke of which no bound is known stops all threads; the error is the caller's. */
+static void an_error_reaches_the_caller(void)
+{
+    plb_drawing *d = drawing_for_tests();
+    d->strokes.points.v[d->strokes.strokes.v[20].first].x = 1e9;
+    plb_options o = plb_options_default();
+    o.dpi = 60;
+    drawing_tools t;
+    page_plan plan;
+    for (int rows = 0; rows < 2; rows++) {
+        error err = {ERROR_NONE, ""};
+        CHECK(plb_api_tools_init(&t, &o, &err) && plb_page_plan(d, &o, &plan, &err));
+        plan.members = 4;
+        plan.rows = rows ? 20 : plan.height;
+        whole_page to = {malloc((size_t)plan.width * (size_t)plan.height), 0};
+        CHECK(!plb_render(d, &o, &t, &plan, take, &to, &err) && err.kind == ERROR_LIMIT && strstr(err.text, "longer"));
+        free(to.v);
+        plb_api_tools_free(&t);
+    }
+    free_drawing(d);
+}
+
+int main(void)
+{
+    RUN(bands_and_threads_change_no_pixel);
+    RUN(files_are_the_same);
+    RUN(an_error_reaches_the_caller);
+    CHECK_EXIT;
+}
