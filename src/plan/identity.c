@@ -42,11 +42,15 @@ static bool insert(identity_set *s, uint64_t key, bool *fresh)
     return true;
 }
 
+/* The same from both ends: hashed from the one that is farther left, or higher. */
 static uint64_t hash_shape(const point *at, size_t n, bool closed)
 {
     uint64_t h = closed ? 0x9ae16a3b2f90404fu : 0xc3a5c85c97cb3127u;
-    for (size_t i = 0; i < n; i++)
-        h = random_fold(h, llround(at[i].x / IDENTITY_UNIT_MM), llround(at[i].y / IDENTITY_UNIT_MM));
+    bool back = at[0].x != at[n - 1].x ? at[0].x > at[n - 1].x : at[0].y > at[n - 1].y;
+    for (size_t i = 0; i < n; i++) {
+        point p = at[back ? n - 1 - i : i];
+        h = random_fold(h, llround(p.x / IDENTITY_UNIT_MM), llround(p.y / IDENTITY_UNIT_MM));
+    }
     return h | 1;
 }
 

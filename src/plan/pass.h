@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The passes of the plan that look at all strokes together, once each item has made its own.
+ * The passes of the plan that look at all strokes together, once each item has made its own. Each takes the list as the
+ * one before left it.
  */
 #ifndef PLB_PLAN_PASS_H
 #define PLB_PLAN_PASS_H
@@ -8,9 +9,22 @@
 #include "base/error.h"
 #include "list/strokes.h"
 
-/* Each returns false and fills `err` when out of memory. */
+/* All return false and fill `err` when out of memory; the list is then good for plb_stroke_list_free only. */
 
+/* doubles.c: where a line lies upon an earlier one of its kind, within `tolerance` mm, it is not drawn again. */
+bool plb_plan_undouble(stroke_list *list, double tolerance, error *err);
+/* join.c: lines that go on from one another, end to end within `tolerance` mm, become one. */
+bool plb_plan_join(stroke_list *list, double tolerance, error *err);
+/* smooth.c: points on a straight line are dropped, coarse polylines become the curves that they stand for. */
+bool plb_plan_smooth(stroke_list *list, error *err);
+/* order.c: near things together; sets which end starts. */
+bool plb_plan_order(stroke_list *list, error *err);
 /* identity.c: fills in the identities. */
 bool plb_plan_identify(stroke_list *list, error *err);
+
+/* Appends a stroke like `as` with these points; false when out of memory. */
+bool plb_plan_append(stroke_list *to, const stroke *as, const point *at, size_t n);
+/* `made` takes the place of `list`. */
+void plb_plan_replace(stroke_list *list, stroke_list *made);
 
 #endif

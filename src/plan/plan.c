@@ -3,7 +3,7 @@
  * Plan: from what was drawn to what a hand draws. plb_plan is the table of contents:
  *
  *     each item      visible? → its marks as tracks → clip → dash → hidden → corners → strokes
- *     all strokes    identities
+ *     all strokes    drawn once → joined → smooth → in order → identities
  */
 #include "plan/plan.h"
 
@@ -18,6 +18,8 @@
 
 /* A point painted with a round or square cap is a dot: a touch of the pencil this long (chosen by eye). */
 #define DOT_MM 0.12
+/* Lines closer than this part of the pencil's width are one line (chosen by eye). */
+#define SAME_LINE_WIDTHS 0.2
 /* Shorter scraps that cutting at corners leaves are dropped. */
 #define SHORTEST_STROKE_MM 0.03
 
@@ -168,6 +170,13 @@ plan_options plb_plan_options_default(void)
     return (plan_options){.fill = FILL_OUTLINE, .text = TEXT_OUTLINE, .pencil_width = 0.35, .seed = 1};
 }
 
+/* All strokes together. */
+static bool arrange(stroke_list *out, const plan_options *o, error *err)
+{
+    double same = SAME_LINE_WIDTHS * o->pencil_width;
+    return plb_plan_undouble(out, same, err) && plb_plan_join(out, same, err) && plb_plan_smooth(out, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
+}
+
 static void report(const planner *p, const messenger *say)
 {
     plb_say(say, MESSAGE_DETAIL, "%zu items make %zu strokes", p->list->items.n, p->out->strokes.n);
@@ -182,7 +191,7 @@ bool plb_plan(const display_list *list, const plan_options *o, const messenger *
     out->height = list->height;
     planner p = {.list = list, .how = o, .clip = plb_clipper_new(list, err), .out = out, .err = err};
     bool ok = p.clip && (p.cover = plb_cover_new(list, o, p.clip, err)) && plb_usual_width(list, o, &p.usual_width, err) &&
-              draw_items(&p) && plb_plan_identify(out, err);
+              draw_items(&p) && arrange(out, o, err);
     if (ok)
         report(&p, say);
     else

@@ -1,0 +1,235 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Plan, all strokes: doubled lines. Exporters draw shared walls and borders once for each side; a person draws them
+ * once. Where a stroke runs along an earlier one of its kind it is left out, as a whole or in part; what is left of
+ * it goes on as strokes of their own.
+ */
+#include "plan/grid.h"
+#include "plan/pass.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Lines that cross at a flat angle lie upon each other for a little way: only longer runs are left out (chosen by
+ * eye), or such as make up the most of a short stroke. */
+#define SHORTEST_RUN_MM 1.0
+#define MOST_OF_STROKE 0.9
+/* Directions that differ by more than this are no doubles. */
+#define TURN_DEGREES 5.7
+/* Segments are kept apart on the grid by their direction: in so many parts of half a turn. */
+#define DIRECTIONS 8
+/* The earlier line must be drawn at least this strongly to stand for the later one. */
+#define LEAST_PRESSURE 0.8
+/* Cells are so large that the lines are in about this many of them at most. */
+#define MOST_CELLS 8e6
+/* Looks at neighbours for one segment: where more lines lie upon each other it is a blot anyway. */
+#define MOST_LOOKS 4096
+
+typedef struct {
+    double from, to; /* arc lengths, mm */
+} run;
+
+typedef struct {
+    point a, b;
+    uint32_t stroke; /* in the list made */
+} drawn;
+
+typedef struct {
+    stroke_list *made;
+    double tolerance, least_cosine;
+    grid where;
+    ARRAY(drawn) segments; /* of the strokes made, on the grid */
+    ARRAY(run) runs;       /* of the stroke at work, that lie upon others */
+    ARRAY(point) piece;
+} undoubler;
+
+static int compare_runs(const void *a, const void *b)
+{
+    const run *x = a, *y = b;
+    return x->from != y->from ? (x->from > y->from) - (x->from < y->from) : (x->to > y->to) - (x->to < y->to);
+}
+
+static bool stands_for(touch earlier, touch later)
+{
+    return earlier.kind == later.kind && earlier.colour == later.colour && earlier.pressure >= later.pressure * (float)LEAST_PRESSURE;
+}
+
+/* The part of the segment from a along the unit vector `along`, `length` long, that lies within tolerance of `d`. */
+static bool overlap(const undoubler *u, point a, point along, double length, const drawn *d, run *out)
+{
+    point p = point_sub(d->a, a), q = point_sub(d->b, a);
+    double hp = point_cross(along, p), hq = point_cross(along, q), t = u->tolerance;
+    if ((hp > t && hq > t) || (hp < -t && hq < -t))
+        return false;
+    double sp = point_dot(p, along), sq = point_dot(q, along), from = fmax(fmin(sp, sq), 0), to = fmin(fmax(sp, sq), length);
+    if (!(to - from > 1e-9) || fabs(sq - sp) < u->least_cosine * plb_point_distance(d->a, d->b))
+        return false;
+    double slope = (hq - hp) / (sq - sp); /* where the distance reaches the tolerance the run ends */
+    if (fabs(slope) > 1e-12) {
+        double s0 = sp + (-t - hp) / slope, s1 = sp + (t - hp) / slope;
+        from = fmax(from, fmin(s0, s1));
+        to = fmin(to, fmax(s0, s1));
+    }
+    *out = (run){from, to};
+    return to - from > 1e-9;
+}
+
+/* The part of half a turn that a direction lies in, once it has been turned by `degrees`. */
+static int64_t part_of(point along, double degrees)
+{
+    double turn = atan2(along.y, along.x) / PLB_PI + degrees / 180 + 2;
+    return (int64_t)floor((turn - floor(turn)) * DIRECTIONS) % DIRECTIONS;
+}
+
+/* A segment and where it begins: its start, unit direction, length and the stroke's arc length there. */
+typedef struct {
+    touch like;
+    point a, along;
+    double length, start;
+} question;
+
+/* Collects the runs that earlier segments of one cell and one part of the directions make. */
+static bool find_in_cell(undoubler *u, const question *q, int64_t column, int64_t row, size_t *looks)
+{
+    for (uint32_t k = plb_grid_first(&u->where, column, row); k != GRID_END && *looks < MOST_LOOKS; k = u->where.entries.v[k].next) {
+        const drawn *d = &u->segments.v[u->where.entries.v[k].value];
+        run r;
+        ++*looks;
+        if (!overlap(u, q->a, q->along, q->length, d, &r) || !stands_for(u->made->strokes.v[d->stroke].touch, q->like))
+            continue;
+        r = (run){r.from + q->start, r.to + q->start};
+        if (!array_push(&u->runs, r))
+            return false;
+    }
+    return true;
+}
+
+static bool find_runs(undoubler *u, touch like, point a, point b, double start)
+{
+    double length = plb_point_distance(a, b);
+    question q = {like, a, point_scale(point_sub(b, a), 1 / length), length, start};
+    int64_t column, row, low = part_of(q.along, -TURN_DEGREES), high = part_of(q.along, TURN_DEGREES);
+    grid_walk w = plb_grid_walk(&u->where, a, b, u->tolerance);
+    size_t looks = 0;
+    while (looks < MOST_LOOKS && plb_grid_step(&w, &column, &row))
+        if (!find_in_cell(u, &q, column, row * DIRECTIONS + low, &looks) ||
+            (high != low && !find_in_cell(u, &q, column, row * DIRECTIONS + high, &looks)))
+            return false;
+    return true;
+}
+
+/* Joins the runs that touch and drops those that are too short to matter. */
+static void tidy_runs(undoubler *u, double whole)
+{
+    size_t n = 0;
+    run *v = u->runs.v;
+    if (u->runs.n)
+        qsort(v, u->runs.n, sizeof *v, compare_runs);
+    for (size_t i = 0; i < u->runs.n; i++)
+        if (n && v[i].from <= v[n - 1].to + u->tolerance)
+            v[n - 1].to = fmax(v[n - 1].to, v[i].to);
+        else
+            v[n++] = v[i];
+    u->runs.n = n;
+    n = 0;
+    for (size_t i = 0; i < u->runs.n; i++)
+        if (v[i].to - v[i].from >= fmin(SHORTEST_RUN_MM, MOST_OF_STROKE * whole))
+            v[n++] = v[i];
+    u->runs.n = n;
+}
+
+static bool put_on_grid(undoubler *u, size_t number)
+{
+    const stroke *s = &u->made->strokes.v[number];
+    for (size_t i = 1; i < s->n; i++) {
+        drawn d = {u->made->points.v[s->first + i - 1], u->made->points.v[s->first + i], (uint32_t)number};
+        grid_walk w = plb_grid_walk(&u->where, d.a, d.b, 0);
+        int64_t column, row, part = part_of(point_sub(d.b, d.a), 0);
+        if (!array_push(&u->segments, d))
+            return false;
+        while (plb_grid_step(&w, &column, &row))
+            if (!plb_grid_put(&u->where, column, row * DIRECTIONS + part, (uint32_t)(u->segments.n - 1)))
+                return false;
+    }
+    return true;
+}
+
+/* The part of the stroke between two arc lengths becomes a stroke. */
+static bool keep_part(undoubler *u, const stroke *s, const point *at, double from, double to)
+{
+    double done = 0;
+    u->piece.n = 0;
+    for (size_t i = 1; i < s->n; i++) {
+        double length = plb_point_distance(at[i - 1], at[i]), a = fmax(from - done, 0), b = fmin(to - done, length);
+        if (a < b) {
+            if (u->piece.n == 0 && !array_push(&u->piece, point_mix(at[i - 1], at[i], a / length)))
+                return false;
+            if (!array_push(&u->piece, b == length ? at[i] : point_mix(at[i - 1], at[i], b / length)))
+                return false;
+        }
+        done += length;
+    }
+    stroke part = *s;
+    part.closed = false;
+    part.corner_first = s->corner_first && from <= 0;
+    part.corner_last = s->corner_last && to >= done;
+    return u->piece.n < 2 || plb_plan_append(u->made, &part, u->piece.v, u->piece.n);
+}
+
+/* The stroke, or what its runs leave of it. */
+static bool keep(undoubler *u, const stroke *s, const point *at, double whole)
+{
+    if (u->runs.n == 0)
+        return plb_plan_append(u->made, s, at, s->n);
+    double from = 0;
+    bool ok = true;
+    for (size_t i = 0; ok && i <= u->runs.n; i++) {
+        double to = i < u->runs.n ? u->runs.v[i].from : whole;
+        if (to - from > 2 * u->tolerance)
+            ok = keep_part(u, s, at, from, to);
+        from = i < u->runs.n ? u->runs.v[i].to : whole;
+    }
+    return ok;
+}
+
+static bool undouble(undoubler *u, const stroke *s, const point *at)
+{
+    double whole = 0;
+    size_t before = u->made->strokes.n;
+    u->runs.n = 0;
+    bool ok = true;
+    for (size_t i = 1; ok && i < s->n; i++) {
+        ok = find_runs(u, s->touch, at[i - 1], at[i], whole);
+        whole += plb_point_distance(at[i - 1], at[i]);
+    }
+    tidy_runs(u, whole);
+    ok = ok && keep(u, s, at, whole);
+    for (size_t i = before; ok && i < u->made->strokes.n; i++)
+        ok = put_on_grid(u, i);
+    return ok;
+}
+
+static double length_of_all(const stroke_list *list)
+{
+    double sum = 0;
+    for (size_t i = 0; i < list->strokes.n; i++)
+        for (size_t k = 1; k < list->strokes.v[i].n; k++)
+            sum += plb_point_distance(list->points.v[list->strokes.v[i].first + k - 1], list->points.v[list->strokes.v[i].first + k]);
+    return sum;
+}
+
+bool plb_plan_undouble(stroke_list *list, double tolerance, error *err)
+{
+    stroke_list made = {.width = list->width, .height = list->height};
+    undoubler u = {.made = &made, .tolerance = tolerance, .least_cosine = cos(TURN_DEGREES * PLB_PI / 180)};
+    double whole = length_of_all(list), cell = fmax(1, whole / MOST_CELLS);
+    bool ok = plb_grid_init(&u.where, cell, list->points.n + (size_t)(whole / cell));
+    for (size_t i = 0; ok && i < list->strokes.n; i++)
+        ok = undouble(&u, &list->strokes.v[i], list->points.v + list->strokes.v[i].first);
+    plb_grid_free(&u.where);
+    array_free(&u.segments);
+    array_free(&u.runs);
+    array_free(&u.piece);
+    plb_plan_replace(list, &made);
+    return ok || plb_fail_memory(err);
+}
