@@ -4,6 +4,7 @@
  */
 #include "api/drawing.h"
 
+#include "api/tone.h"
 #include "base/array.h"
 #include "input/input.h"
 
@@ -65,7 +66,7 @@ static bool load(plb_drawing *d, const char *file, const plb_options *o, const m
     strcpy(d->name, in.name);
     plan_options how = plb_api_plan_options(o);
     error late = {ERROR_NONE, ""};
-    if (!fit(&d->list, o, &late) || !plb_plan(&d->list, &how, say, &d->strokes, &late))
+    if (!fit(&d->list, o, &late) || (plb_api_needs_tone(&d->list, &how) && !plb_api_measure_tone(o, &how, &late)) || !plb_plan(&d->list, &how, say, &d->strokes, &late))
         return plb_fail(err, late.kind, "%s: %s", d->name, late.text);
     report_losses(d, say);
     return true;

@@ -48,7 +48,7 @@ static double width_of(const plb_options *o)
 
 plan_options plb_api_plan_options(const plb_options *o)
 {
-    static const fill_style fills[] = {[PLB_FILL_OUTLINE] = FILL_OUTLINE, [PLB_FILL_NONE] = FILL_NONE};
+    static const fill_style fills[] = {[PLB_FILL_HATCH] = FILL_HATCH, [PLB_FILL_OUTLINE] = FILL_OUTLINE, [PLB_FILL_NONE] = FILL_NONE};
     plan_options how = plb_plan_options_default();
     how.fill = fills[o->fill];
     how.pencil_width = width_of(o);

@@ -109,6 +109,7 @@ typedef enum {
 } plb_arm;
 
 typedef enum {
+    PLB_FILL_HATCH,   /* a filled shape is hatched to its tone and outlined; thin and small ones are solid */
     PLB_FILL_OUTLINE, /* a filled shape is drawn as its outline */
     PLB_FILL_NONE     /* not at all */
 } plb_fill;

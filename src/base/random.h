@@ -25,7 +25,8 @@ typedef enum {
     PURPOSE_HABIT = 22,   /* overshoot, restating, construction lines */
     PURPOSE_ARM = 23,     /* parameters of an arm's movement */
     PURPOSE_PASS = 40,    /* places of the passes of a wide line */
-    PURPOSE_DASH = 41     /* lengths of dashes and gaps */
+    PURPOSE_DASH = 41,    /* lengths of dashes and gaps */
+    PURPOSE_HATCH = 50    /* places, ends and pressure of hatch lines */
 } random_purpose;
 
 static inline uint64_t random_mix(uint64_t x)

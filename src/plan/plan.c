@@ -8,6 +8,7 @@
 #include "plan/plan.h"
 
 #include "plan/clip.h"
+#include "plan/hatch.h"
 #include "plan/hidden.h"
 #include "plan/pass.h"
 #include "plan/track.h"
@@ -33,6 +34,8 @@ typedef struct {
     error *err;
     const item *it; /* the one at work */
     size_t index;   /* its number */
+    bool outlined;  /* a stroke follows its outline */
+    hatcher hatcher;
 } planner;
 
 /* ---- from a track to strokes, last step first: each hands on to the one above it ---- */
@@ -129,7 +132,10 @@ static bool draw_outline(planner *p)
 
 static bool draw_fill(planner *p)
 {
-    return p->how->fill == FILL_NONE || draw_outline(p);
+    bool outline = p->how->fill == FILL_OUTLINE;
+    if (p->how->fill == FILL_HATCH && !plb_plan_hatch(&p->hatcher, p->it, touch_of(p).colour, &outline, add_mark, p, p->err))
+        return false;
+    return !outline || p->outlined || draw_outline(p);
 }
 
 /* ---- which items ---- */
@@ -140,20 +146,19 @@ static bool is_outlined_by(const item *fill, const item *other)
     return fill->kind == ITEM_FILL && other->kind == ITEM_STROKE && plb_leaves_mark(other) && plb_path_equal(&fill->path, &other->path);
 }
 
-static bool is_wanted(const display_list *list, size_t i)
+static bool is_outlined(const display_list *list, size_t i)
 {
     const item *it = &list->items.v[i];
-    bool before = i > 0 && is_outlined_by(it, it - 1);
-    bool after = i + 1 < list->items.n && is_outlined_by(it, it + 1);
-    return plb_leaves_mark(it) && !before && !after;
+    return (i > 0 && is_outlined_by(it, it - 1)) || (i + 1 < list->items.n && is_outlined_by(it, it + 1));
 }
 
 static bool draw_item(planner *p, size_t i)
 {
-    if (!is_wanted(p->list, i))
-        return true;
     p->it = &p->list->items.v[i];
     p->index = i;
+    if (!plb_leaves_mark(p->it))
+        return true;
+    p->outlined = is_outlined(p->list, i);
     return p->it->kind == ITEM_STROKE ? draw_line(p) : draw_fill(p);
 }
 
@@ -167,7 +172,8 @@ static bool draw_items(planner *p)
 
 plan_options plb_plan_options_default(void)
 {
-    return (plan_options){.fill = FILL_OUTLINE, .text = TEXT_OUTLINE, .pencil_width = 0.35, .seed = 1};
+    static const tone_scale of_hb = {{.06, .13, .25, .38, .55, .68, .78}};
+    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_OUTLINE, .pencil_width = 0.35, .seed = 1};
 }
 
 /* All strokes together. */
@@ -189,7 +195,7 @@ bool plb_plan(const display_list *list, const plan_options *o, const messenger *
     memset(out, 0, sizeof *out);
     out->width = list->width;
     out->height = list->height;
-    planner p = {.list = list, .how = o, .clip = plb_clipper_new(list, err), .out = out, .err = err};
+    planner p = {.list = list, .how = o, .hatcher = plb_hatcher(list, o), .clip = plb_clipper_new(list, err), .out = out, .err = err};
     bool ok = p.clip && (p.cover = plb_cover_new(list, o, p.clip, err)) && plb_usual_width(list, o, &p.usual_width, err) &&
               draw_items(&p) && arrange(out, o, err);
     if (ok)

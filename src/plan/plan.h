@@ -15,11 +15,20 @@
 
 typedef enum { FILL_HATCH, FILL_OUTLINE, FILL_NONE } fill_style;
 typedef enum { TEXT_HAND, TEXT_OUTLINE, TEXT_NONE } text_style;
+/* How dark a pencil's hatching comes out: the mean darkness (0 paper, 1 black) of an area hatched with each of
+ * TONE_STEPS efforts, evenly from the faintest to the darkest; rising (hatch_tone.c). */
+#define TONE_STEPS 7
+#define TONE_FAINTEST 0.1 /* a darkness that is hatched whatever the scale */
+typedef struct {
+    double darkness[TONE_STEPS];
+} tone_scale;
+
 typedef struct {
     fill_style fill;
     text_style text;
     bool colour;         /* each stroke in its paint's own colour */
     double pencil_width; /* of the pencil's line at half depth, mm: what one stroke covers */
+    tone_scale tone;     /* what the pencil's hatching comes to */
     uint64_t seed;       /* of the unevenness that a plan itself has: dashes, hatching */
 } plan_options;
 plan_options plb_plan_options_default(void);

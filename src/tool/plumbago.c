@@ -110,7 +110,7 @@ static bool set_arm(void *p, const char *v)
 static bool set_fill(void *p, const char *v)
 {
     int i;
-    return choose(v, (const char *const[]){"outline", "none"}, 2, &i) ? (((settings *)p)->o.fill = (plb_fill)i, true) : false;
+    return choose(v, (const char *const[]){"hatch", "outline", "none"}, 3, &i) ? (((settings *)p)->o.fill = (plb_fill)i, true) : false;
 }
 static bool set_hand(void *p, const char *v)
 {
@@ -172,7 +172,7 @@ static const option table[] = {
     {0, "model", "graphite|hla", "how lines are made: as measured, or the papers' algorithm [graphite]", set_model},
     {0, "arm", "hand|jerk|spring", "how the arm moves [hand; with --model hla: jerk]", set_arm},
     {0, NULL, NULL, "What is drawn", NULL},
-    {0, "fill", "outline|none", "what becomes of filled shapes [outline]", set_fill},
+    {0, "fill", "hatch|outline|none", "what becomes of filled shapes [hatch]", set_fill},
     {0, "hand", "right|left|none", "which hand draws; none: all directions alike [right]", set_hand},
     {0, NULL, NULL, "Work", NULL},
     {0, "threads", "N", "at most N threads, 1 to 64 [as many as processors]", set_threads},

@@ -100,8 +100,11 @@ cat >fill.svg <<'SVG'
 <path d="M2 35H38" fill="none" stroke="#000" stroke-width=".3"/></svg>
 SVG
 draws "no --fill" -o fill.png fill.svg
+draws "--fill hatch" --fill hatch -o fill-hatch.png fill.svg
+same "hatch is the default fill" fill-hatch.png fill.png
 draws "--fill outline" --fill outline -o fill-outline.png fill.svg
-same "outline is the default fill" fill-outline.png fill.png
+is "--fill outline draws no more than the outline" "$("$PLUMBAGO" --fill outline --dump=strokes fill.svg | grep -c '^stroke ')" 5
+is "--fill hatch has many strokes" "$("$PLUMBAGO" --dump=strokes fill.svg | grep '^stroke ' | grep -c hatch | awk '{ print ($1 > 30) }')" 1
 draws "--fill none" --fill none -o fill-none.png fill.svg
 is "--fill none leaves the line" "$("$PLUMBAGO" --fill none --dump=strokes fill.svg | grep -c '^stroke ')" 1
 misused "--fill of another name" fill --fill gold fill.svg

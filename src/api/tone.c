@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The scale of tones: see tone.h. A swatch is planned and drawn as any fill is, once for each of the techniques from
+ * faint to dark, and its mean darkness read in the middle. So a tone is met with any pencil, paper, pressure or model.
+ */
+#include "api/tone.h"
+
+#include "base/units.h"
+#include "plan/hatch_tone.h"
+
+#include <math.h>
+
+/* Side of a swatch: so many lines across, but within bounds, mm; drawn at a coarse resolution, for its mean only. */
+#define SWATCH_LINES 14
+#define SWATCH_LEAST 8.0
+#define SWATCH_MOST 24.0
+#define SWATCH_DPI 150.0
+/* Left out all around: there ends stray, and the outline runs. */
+#define SWATCH_EDGE 1.5
+/* Each step is darker than the one before by this at least, though a swatch's chance would have it otherwise. */
+#define LEAST_STEP 0.004
+/* Seed of swatches: the scale belongs to the pencil, not to the drawing. */
+#define SWATCH_SEED 1
+
+bool plb_api_needs_tone(const display_list *list, const plan_options *how)
+{
+    for (size_t i = 0; how->fill == FILL_HATCH && i < list->items.n; i++)
+        if (list->items.v[i].kind == ITEM_FILL)
+            return true;
+    return false;
+}
+
+/* ---- a swatch ---- */
+
+typedef struct {
+    uint16_t *deposit; /* side x side */
+    int side;          /* px */
+    const graphite *ink;
+} swatch;
+
+static bool lay(void *closure, const patch *p)
+{
+    swatch *s = closure;
+    for (int y = 0; y < p->height; y++)
+        for (int x = 0; x < p->width; x++) {
+            int at_x = p->x + x, at_y = p->y + y;
+            if (at_x < 0 || at_y < 0 || at_x >= s->side || at_y >= s->side)
+                continue;
+            uint16_t *to = &s->deposit[at_y * s->side + at_x];
+            unsigned sum = *to + (unsigned)s->ink->deposit[p->grey[y * p->width + x]];
+            *to = (uint16_t)(sum > 65535 ? 65535 : sum);
+        }
+    return true;
+}
+
+static double mean_darkness(const swatch *s)
+{
+    int edge = (int)ceil(SWATCH_EDGE / MM_PER_INCH * SWATCH_DPI);
+    double sum = 0, n = 0;
+    for (int y = edge; y < s->side - edge; y++)
+        for (int x = edge; x < s->side - edge; x++) {
+            sum += 255 - s->ink->grey[s->deposit[y * s->side + x]];
+            n++;
+        }
+    return n > 0 ? sum / n / 255 : 0;
+}
+
+static bool draw_strokes(const stroke_list *strokes, const drawing_tools *t, swatch *s, error *err)
+{
+    stroke_options how = t->stroke;
+    stroke_scratch scratch = {0};
+    bool ok = true;
+    how.dpi = SWATCH_DPI;
+    how.seed = SWATCH_SEED;
+    for (size_t i = 0; ok && i < strokes->strokes.n; i++)
+        ok = plb_stroke_draw(strokes, &strokes->strokes.v[i], &how, &scratch, lay, s, err);
+    plb_stroke_scratch_free(&scratch);
+    return ok;
+}
+
+/* A page of `side` mm, filled with a grey. */
+static bool plan_swatch(double side, double darkness, const plan_options *how, stroke_list *out, error *err)
+{
+    display_list list;
+    double grey = 1 - darkness;
+    item it = {.kind = ITEM_FILL, .paint = {PAINT_SOLID, grey, grey, grey, 1}, .clip = NO_CLIP};
+    plb_list_init(&list);
+    list.width = list.height = side;
+    double a = SWATCH_EDGE / 2, b = side - a; /* with a margin, lest it be taken for the paper */
+    bool ok = (plb_path_move(&it.path, (point){a, a}) && plb_path_line(&it.path, (point){b, a}) && plb_path_line(&it.path, (point){b, b}) &&
+               plb_path_line(&it.path, (point){a, b})) || plb_fail_memory(err);
+    ok = ok && plb_list_add(&list, &it, err);
+    if (!ok)
+        plb_item_free(&it);
+    ok = ok && plb_plan(&list, how, NULL, out, err);
+    plb_list_free(&list);
+    return ok;
+}
+
+static bool measure(double side, double darkness, const plan_options *how, const drawing_tools *t, double *result, error *err)
+{
+    stroke_list strokes = {0};
+    swatch s = {.side = (int)ceil(side / MM_PER_INCH * SWATCH_DPI), .ink = &t->ink};
+    s.deposit = plb_new((size_t)s.side * (size_t)s.side, sizeof *s.deposit);
+    bool ok = (s.deposit || plb_fail_memory(err)) && plan_swatch(side, darkness, how, &strokes, err) && draw_strokes(&strokes, t, &s, err);
+    if (ok)
+        *result = mean_darkness(&s);
+    plb_stroke_list_free(&strokes);
+    plb_free(s.deposit);
+    return ok;
+}
+
+bool plb_api_measure_tone(const plb_options *o, plan_options *how, error *err)
+{
+    drawing_tools t;
+    if (!plb_api_tools_init(&t, o, err))
+        return false;
+    plan_options plain = *how;
+    tone_scale found;
+    plain.seed = SWATCH_SEED;
+    plain.colour = false;
+    for (int k = 0; k < TONE_STEPS; k++) /* a scale on which darkness is effort */
+        plain.tone.darkness[k] = TONE_FAINTEST + (1 - TONE_FAINTEST) * k / (TONE_STEPS - 1);
+    bool ok = true;
+    for (int k = 0; ok && k < TONE_STEPS; k++) {
+        double side = SWATCH_LINES * plb_technique((double)k / (TONE_STEPS - 1), how->pencil_width).spacing[0] + 2 * SWATCH_EDGE;
+        side = side < SWATCH_LEAST ? SWATCH_LEAST : side > SWATCH_MOST ? SWATCH_MOST : side;
+        ok = measure(side, plain.tone.darkness[k], &plain, &t, &found.darkness[k], err);
+        if (k > 0)
+            found.darkness[k] = fmax(found.darkness[k], found.darkness[k - 1] + LEAST_STEP);
+    }
+    if (ok)
+        how->tone = found;
+    plb_api_tools_free(&t);
+    return ok;
+}

@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How dark a pencil's hatching comes out, measured on the pencil: as one tries it on a scrap of paper.
+ */
+#ifndef PLB_API_TONE_H
+#define PLB_API_TONE_H
+
+#include "api/drawing.h"
+
+/* Whether the plan of this drawing will ask for tones. */
+bool plb_api_needs_tone(const display_list *list, const plan_options *how);
+/* Fills in how->tone by drawing a swatch of each technique. False and `err` on failure. */
+bool plb_api_measure_tone(const plb_options *o, plan_options *how, error *err);
+
+#endif

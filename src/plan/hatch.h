@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Fills as a person shades them: tone by hatching, small and thin shapes solid. plumbago(7), HATCHING, tells the figures.
+ */
+#ifndef PLB_PLAN_HATCH_H
+#define PLB_PLAN_HATCH_H
+
+#include "list/list.h"
+#include "plan/plan.h"
+#include "plan/track.h"
+
+/* What all fills of a drawing share: the page, and the bound on the number of lines. */
+typedef struct {
+    const plan_options *how; /* borrowed */
+    box page;                /* mm: nothing is hatched beyond it */
+    double coarser;          /* all spacings are this many times as wide, >= 1, so that a drawing's lines stay in bounds */
+} hatcher;
+hatcher plb_hatcher(const display_list *list, const plan_options *o);
+
+/* Hands on the marks that give `fill` its tone: tracks with their touch set (pressure; STROKE_HATCH; of the colour
+ * `colour`), neither clipped nor hidden. *outline tells whether the caller should draw the shape's outline too: not
+ * where the marks themselves follow it, nor round what is taken for paper. False and `err` when out of memory or when
+ * the sink stops it. */
+bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *outline, track_sink sink, void *closure, error *err);
+
+#endif
