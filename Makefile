@@ -47,7 +47,7 @@ c_tests  = $(wildcard tests/unit/*.c tests/stat/*.c tests/stage/*.c)
 c_tools  = $(wildcard tests/tools/*.c)
 examples_c = $(wildcard examples/*.c)
 
-programs = $(O)/plumbago $(O)/plumbago-profile $(O)/tap-svg
+programs = $(O)/plumbago $(O)/plumbago-profile $(O)/tap-svg $(O)/tap-dxf
 tests_bin = $(c_tests:tests/%.c=$(O)/tests/%) $(c_tools:tests/%.c=$(O)/tests/%)
 
 .PHONY: all
@@ -86,6 +86,11 @@ $(O)/tap-svg: src/tap/tap_svg.c
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS_ALL) $(shell pkg-config --cflags $(packages_tap)) $< $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
 
+# The other tap is a script around the library ezdxf.
+$(O)/tap-dxf: src/tap/tap_dxf.py
+	@mkdir -p $(@D)
+	$(Q)install $< $@
+
 $(O)/tests/%: tests/%.c $(O)/libplumbago.a
 	$(say) LINK $@
 	@mkdir -p $(@D)
@@ -120,7 +125,7 @@ demo-pictures: all
 	@echo "$(demo_drawing), drawn with eight pencils, lies in build/demo."
 
 # ---- packages (Debian) ------------------------------------------------------------------------------------
-packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libxml2-dev fonts-dejavu-core
+packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libxml2-dev fonts-dejavu-core python3-ezdxf
 packages_tests = librsvg2-bin ghostscript poppler-utils clang g++ mandoc strace locales unzip
 
 .PHONY: packages packages-check
@@ -156,7 +161,7 @@ dest = $(DESTDIR)$(PREFIX)
 install: all
 	install -d "$(dest)/bin" "$(dest)/libexec/plumbago" "$(dest)/include" "$(dest)/lib/pkgconfig" "$(dest)/share/plumbago/profiles"
 	install $(O)/plumbago $(O)/plumbago-profile "$(dest)/bin"
-	install $(O)/tap-svg "$(dest)/libexec/plumbago"
+	install $(O)/tap-svg $(O)/tap-dxf "$(dest)/libexec/plumbago"
 	install -m 644 src/api/plumbago.h "$(dest)/include"
 	install -m 644 $(O)/libplumbago.a "$(dest)/lib"
 	install -m 644 $(pencils) "$(dest)/share/plumbago/profiles"

@@ -14,7 +14,7 @@
 /* Brings the drawing to the size that the options ask for. With both sides given it is fitted into them and centred. */
 static bool fit(display_list *list, const plb_options *o, error *err)
 {
-    double sx = o->width / list->width, sy = o->height / list->height, f = o->scale;
+    double sx = o->width / list->width, sy = o->height / list->height, f = o->scale > 0 ? o->scale / list->paper_scale : 1;
     if (o->width > 0 && o->height > 0)
         f = fmin(sx, sy);
     else if (o->width > 0 || o->height > 0)

@@ -17,7 +17,6 @@ plb_options plb_options_default(void)
     o.model = PLB_MODEL_GRAPHITE;
     o.squiggle = -1; /* the arm's own */
     o.dpi = 300;
-    o.scale = 1;
     o.compress = 1;
     return o;
 }
@@ -26,8 +25,8 @@ bool plb_api_check(const plb_options *o, error *err)
 {
     if (!(o->dpi >= 10 && o->dpi <= 4800))
         return plb_fail(err, ERROR_ARGUMENT, "the resolution must be 10 to 4800 dpi");
-    if (!(o->scale > 0 && o->scale <= 1e4))
-        return plb_fail(err, ERROR_ARGUMENT, "the scale must be above 0 and at most 10000");
+    if (!(o->scale >= 0 && o->scale <= 1e4))
+        return plb_fail(err, ERROR_ARGUMENT, "the scale must be at most 10000");
     if (!(o->width >= 0 && o->height >= 0 && o->width <= 1e5 && o->height <= 1e5))
         return plb_fail(err, ERROR_ARGUMENT, "the page's size must be at most 100 m");
     if (o->threads < 0 || o->threads > TEAM_MAX || o->compress < 0 || o->compress > 9)

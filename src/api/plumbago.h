@@ -130,7 +130,7 @@ typedef struct {
                                    jerk, spring: the largest; hand: as measured at 5/300 in, else in proportion */
     double dpi;                 /* pixels per inch of pictures; default 300, 10 to 4800 */
     double width, height;       /* size of the page, mm; 0: the drawing's own (one given: the other follows) */
-    double scale;               /* factor on the drawing's own size; default 1; not with width or height */
+    double scale;               /* factor on the drawing's own size; default 0: 1, or what fits A3 (DXF); not with width or height */
     plb_fill fill;              /* what becomes of filled shapes; default outline */
     plb_background background;  /* default white */
     int threads;                /* at most so many, up to 64; 0, the default: as many as there are processors */

@@ -81,7 +81,7 @@ static const input_format formats[] = {
     {"PostScript", is_postscript, plb_read_postscript},
     {"PDF", is_pdf, NULL},
     {"SVG", is_svg, plb_read_svg},
-    {"DXF", is_dxf, NULL},
+    {"DXF", is_dxf, plb_read_dxf},
 };
 
 bool plb_input_read(const input_source *in, display_list *list, error *err)
@@ -96,5 +96,5 @@ bool plb_input_read(const input_source *in, display_list *list, error *err)
         plb_say(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, formats[i].name);
         return formats[i].read(in, list, err);
     }
-    return plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG or PostScript)", in->name);
+    return plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG, PostScript or DXF)", in->name);
 }

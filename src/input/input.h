@@ -30,5 +30,6 @@ bool plb_input_load(const char *file, char **data, size_t *size, error *err);
 /* The readers, one per format; same contract. */
 bool plb_read_svg(const input_source *in, display_list *list, error *err);
 bool plb_read_postscript(const input_source *in, display_list *list, error *err);
+bool plb_read_dxf(const input_source *in, display_list *list, error *err);
 
 #endif

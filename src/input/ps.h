@@ -27,7 +27,11 @@
 
 /* ---- limits (chosen so that the worst file stays below 10 s and 1 GiB) ------------------------------------ */
 
+#ifndef PS_MAX_STEPS /* the fuzzer's build, which wants many short runs, asks for less */
 #define PS_MAX_STEPS 50000000u           /* objects executed, and work of bulk operators */
+#define PS_MAX_MEMORY ((size_t)256 << 20)     /* for objects */
+#define PS_MAX_LIST_BYTES ((size_t)448 << 20) /* of the display list */
+#endif
 #define PS_MAX_OPERANDS 65536u
 #define PS_MAX_FRAMES 8192u
 #define PS_MAX_DICTS 256u
@@ -35,9 +39,7 @@
 #define PS_MAX_ARRAY (1u << 20)          /* elements of an array or entries a dictionary starts with */
 #define PS_MAX_STRING (16u << 20)        /* bytes of a string */
 #define PS_MAX_PAGE_POINTS 20000.0       /* 7 m */
-#define PS_MAX_MEMORY ((size_t)256 << 20)     /* for objects */
 #define PS_MAX_PATH_POINTS ((size_t)8 << 20)  /* in all current paths together */
-#define PS_MAX_LIST_BYTES ((size_t)448 << 20) /* of the display list */
 
 /* Device space is 7200 dpi, y up. Fine, because programs round line widths and positions to whole device units. */
 #define PS_UNITS_PER_POINT 100.0

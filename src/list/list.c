@@ -13,6 +13,7 @@
 void plb_list_init(display_list *list)
 {
     memset(list, 0, sizeof *list);
+    list->paper_scale = 1;
 }
 
 void plb_item_free(item *it)

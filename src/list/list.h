@@ -48,6 +48,7 @@ typedef struct {
     ARRAY(item) items;
     ARRAY(clip) clips;
     size_t points; /* of all paths together */
+    double paper_scale; /* mm on paper per mm of the thing drawn, where the reader chose it (DXF); else 1 */
     /* What was met and left out, for messages. */
     unsigned long images, masks;
 } display_list;

@@ -83,8 +83,14 @@ static bool set_height(void *p, const char *v)
 }
 static bool set_scale(void *p, const char *v)
 {
-    double *f = &((settings *)p)->o.scale;
-    return parse_number(v, f) && *f > 0 && *f <= 1e4;
+    double *f = &((settings *)p)->o.scale, to = 1;
+    char from[32];
+    size_t n = strcspn(v, ":");
+    if (n >= sizeof from || (v[n] && !(parse_number(v + n + 1, &to) && to > 0)))
+        return false;
+    memcpy(from, v, n);
+    from[n] = '\0';
+    return parse_number(from, f) && (*f /= to) > 0 && *f <= 1e4;
 }
 static bool set_seed(void *p, const char *v)
 {
@@ -162,7 +168,7 @@ static const option table[] = {
     {0, NULL, NULL, "Size on paper (LEN: a number or fraction with mm cm in pt px)", NULL},
     {0, "width", "LEN", "width of the page [the drawing's own]", set_width},
     {0, "height", "LEN", "height of the page [the drawing's own]", set_height},
-    {0, "scale", "F", "times its own size [1]", set_scale},
+    {0, "scale", "F", "times its own size, as 0.5 or 1:2 [1; DXF: fits A3]", set_scale},
     {0, NULL, NULL, "Pencil", NULL},
     {'p', "pencil", "GRADE|FILE", "2H H F HB B 3B 6B 8B or a .pencil file [HB]", set_pencil},
     {0, "list-pencils", NULL, "show the pencils that are built in", set_list_pencils},
@@ -189,7 +195,7 @@ static void print_help(void)
 {
     printf("usage: " PROGRAM " [options] [FILE]\n"
            "\n"
-           "Draws FILE, a vector drawing (SVG, PostScript or EPS), as a person with a pencil would.\n"
+           "Draws FILE, a vector drawing (SVG, PostScript, EPS or DXF), as a person with a pencil would.\n"
            "\n"
            "  " PROGRAM " plan.svg                          plan.png appears beside it\n"
            "  " PROGRAM " -p 6B plan.ps -o - | display      in a pipe, with a soft pencil\n");
@@ -377,7 +383,7 @@ int main(int argc, char **argv)
         status = list_pencils();
     else if (operands > 1)
         return wrong("more than one FILE");
-    else if (s.o.scale != 1 && (s.o.width > 0 || s.o.height > 0))
+    else if (s.o.scale > 0 && (s.o.width > 0 || s.o.height > 0))
         return wrong("--scale goes neither with --width nor with --height");
     else
         return run(&s, operands ? argv[0] : "-");

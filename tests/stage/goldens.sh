@@ -17,6 +17,12 @@ for drawing in lines dashes clip use transforms units style; do
             END { exit bad || FNR != n }' "$golden" now.txt; then ok "$drawing, $stage"; else fail "$drawing, $stage" "differs: $(diff "$golden" now.txt | head -n 4 | cut -c1-160 | tr '\n' ' ')"; fi
     done
 done
+for drawing in entities blocks plan; do # DXF
+    golden=$ROOT/tests/stage/$drawing.dxf.list.txt
+    "$PLUMBAGO" -q --dump=list "$ROOT/tests/stage/$drawing.dxf" -o now.txt
+    if [ -n "${ACCEPT:-}" ]; then cp now.txt "$golden"; fi
+    if cmp -s now.txt "$golden"; then ok "$drawing.dxf, list"; else fail "$drawing.dxf, list" "differs: $(diff "$golden" now.txt | head -n 4 | cut -c1-160 | tr '\n' ' ')"; fi
+done
 for program in program paths state; do
     golden=$ROOT/tests/stage/$program.list.txt
     "$PLUMBAGO" -q --dump=list "$ROOT/tests/image/$program.eps" -o now.txt
