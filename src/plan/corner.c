@@ -10,8 +10,8 @@ static bool send(const track *t, size_t first, size_t last, track *piece, track_
     size_t n = t->points.n;
     piece->points.n = 0;
     piece->touch = t->touch;
-    piece->corner_first = t->closed || first > 0;
-    piece->corner_last = t->closed || last + 1 < n;
+    piece->corner_first = t->closed || t->corner_first || first > 0;
+    piece->corner_last = t->closed || t->corner_last || last + 1 < n;
     if (!array_reserve(&piece->points, last - first + 1))
         return plb_fail_memory(err);
     for (size_t i = first; i <= last; i++) {

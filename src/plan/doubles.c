@@ -196,6 +196,8 @@ static bool undouble(undoubler *u, const stroke *s, const point *at)
 {
     double whole = 0;
     size_t before = u->made->strokes.n;
+    if (s->touch.kind == STROKE_HATCH) /* lies close to others on purpose */
+        return plb_plan_append(u->made, s, at, s->n);
     u->runs.n = 0;
     bool ok = true;
     for (size_t i = 1; ok && i < s->n; i++) {

@@ -17,13 +17,8 @@
 
 /* Lighter tones are left to the paper. */
 #define LEAST_DARKNESS 0.045
-/* A right hand's strokes rise to the right: this far from the level, radians, give or take HABIT_STRAY. */
-#define HABIT (-0.82)
-#define HABIT_STRAY 0.05
-/* A shape this much longer than wide is hatched along its long axis, taken to the nearest of AXIS_STEPS directions so
- * that shapes which differ little agree. */
-#define LONG_ELONGATION 2.2
-#define AXIS_STEPS 12
+/* A direction strays by this from shape to shape, radians. */
+#define DIRECTION_STRAY 0.04
 /* The second layer is turned by this against the first, radians: less than a right angle, as the wrist has it. */
 #define CROSS_ANGLE 1.1
 /* A fill that covers this part of the page and is no darker than PAPER_DARKNESS is its paper. */
@@ -42,7 +37,7 @@ static double overlap(box a, box b)
 
 hatcher plb_hatcher(const display_list *list, const plan_options *o)
 {
-    hatcher h = {o, {0, 0, list->width, list->height}, 1};
+    hatcher h = {.how = o, .page = {0, 0, list->width, list->height}, .coarser = 1};
     double strokes = 0;
     for (size_t i = 0; i < list->items.n; i++) {
         const item *it = &list->items.v[i];
@@ -52,6 +47,7 @@ hatcher plb_hatcher(const display_list *list, const plan_options *o)
         double area = overlap(plb_path_bounds(&it->path), h.page);
         for (int k = 0; k < HATCH_LAYERS; k++)
             strokes += q.spacing[k] > 0 ? area / (q.spacing[k] * TYPICAL_LENGTH) : 0;
+        plb_hatch_direction_learn(&h, it);
     }
     h.coarser = fmax(1, strokes / MOST_STROKES);
     return h;
@@ -65,17 +61,11 @@ static bool is_paper(const hatcher *h, const shape *s, double darkness)
     return darkness < PAPER_DARKNESS && full && overlap(s->bounds, p) > PAPER_COVER * page;
 }
 
-static double direction_of(const shape *s, uint64_t seed)
-{
-    if (s->elongation > LONG_ELONGATION)
-        return floor(s->axis / PLB_PI * AXIS_STEPS + 0.5) * PLB_PI / AXIS_STEPS;
-    return HABIT + HABIT_STRAY * (2 * random_unit(random_key(seed, s->identity, PURPOSE_HATCH), 1) - 1);
-}
-
-static bool add_tone(const hatcher *h, const shape *s, double darkness, const marks *m)
+static bool add_tone(const hatcher *h, const shape *s, const item *fill, double darkness, const marks *m)
 {
     technique q = plb_technique_for(darkness, h->how);
-    double direction = direction_of(s, h->how->seed);
+    uint64_t key = random_key(h->how->seed, s->identity, PURPOSE_HATCH);
+    double direction = plb_hatch_direction(h, fill) + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
     bool ok = true;
     for (int k = 0; ok && k < HATCH_LAYERS; k++) {
         hatch_layer l = {direction + k * CROSS_ANGLE, q.spacing[k] * h->coarser, q.pressure, k};
@@ -96,7 +86,7 @@ bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *o
     } else if (ok && s.area > 0 && darkness >= LEAST_DARKNESS) {
         bool solid = false;
         m.touch.pressure = (float)plb_technique_for(darkness, h->how).pressure;
-        ok = plb_is_solid(&s, h->how->pencil_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, darkness, &m));
+        ok = plb_is_solid(&s, h->how->pencil_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, darkness, &m));
     }
     plb_shape_free(&s);
     return ok;

@@ -9,11 +9,18 @@
 #include "plan/plan.h"
 #include "plan/track.h"
 
-/* What all fills of a drawing share: the page, and the bound on the number of lines. */
+/* Shapes of about the same tone, and the axes they have: sums over them, weighted. */
+#define HATCH_FAMILIES 33
+typedef struct {
+    double weight, cosine, sine;
+} hatch_family;
+
+/* What all fills of a drawing share: the page, directions, and the bound on the number of lines. */
 typedef struct {
     const plan_options *how; /* borrowed */
     box page;                /* mm: nothing is hatched beyond it */
     double coarser;          /* all spacings are this many times as wide, >= 1, so that a drawing's lines stay in bounds */
+    hatch_family families[HATCH_FAMILIES]; /* by darkness */
 } hatcher;
 hatcher plb_hatcher(const display_list *list, const plan_options *o);
 
@@ -22,5 +29,14 @@ hatcher plb_hatcher(const display_list *list, const plan_options *o);
  * where the marks themselves follow it, nor round what is taken for paper. False and `err` when out of memory or when
  * the sink stops it. */
 bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *outline, track_sink sink, void *closure, error *err);
+
+/* ---- hatch_direction.c ---- */
+
+/* A right hand's strokes rise to the right: their direction, radians (chosen by eye). */
+#define HATCH_HABIT (-0.82)
+/* Takes note of a fill: of all before the first question. */
+void plb_hatch_direction_learn(hatcher *h, const item *fill);
+/* The direction in which it is hatched, radians. */
+double plb_hatch_direction(const hatcher *h, const item *fill);
 
 #endif

@@ -24,15 +24,14 @@
 #define STROKE_WIDTHS 1.4
 /* Passes of a scribble lie so far apart, in widths of the line. */
 #define PASS_WIDTHS 0.5
-/* A shape this much longer than wide is scribbled along its axis, others in the hand's usual direction, radians. */
+/* A shape this much longer than wide is scribbled along its axis, others in the hand's usual direction. */
 #define LONG_ELONGATION 2.2
-#define HABIT (-0.82)
 /* Places of a pass stray by this part of their distance, its ends by this part of the line's width. */
 #define PASS_STRAY 0.2
 #define END_STRAY 0.15
 #define MOST_PASSES 4000
-/* A movement back and forth is this long, mm, then the hand makes a new one: it strays by a share of it. */
-#define MOVEMENT_LONGEST 8.0
+/* A movement back and forth is no longer than this, mm: then the hand sets off anew. */
+#define MOVEMENT_LONGEST 30.0
 /* An inset outline has no more corners. */
 #define MOST_CORNERS 400
 
@@ -135,6 +134,7 @@ static bool finish(const scribble *k, chain *c)
     bool ok = true;
     if (n >= 2) {
         c->path.points.v[0].corner = c->path.points.v[n - 1].corner = false;
+        c->path.corner_first = c->path.corner_last = true; /* the point goes on from here: it is not lifted */
         c->path.touch = k->m->touch;
         ok = k->m->sink(k->m->closure, &c->path);
     }
@@ -256,7 +256,7 @@ static bool follow_inside(const scribble *k, bool *done)
 
 bool plb_scribble(const shape *s, box page, const marks *m, bool *outline)
 {
-    double width = m->how->pencil_width, angle = s->elongation > LONG_ELONGATION ? s->axis : HABIT;
+    double width = m->how->pencil_width, angle = s->elongation > LONG_ELONGATION ? s->axis : HATCH_HABIT;
     scribble k = {s, m, plb_frame(angle), width, random_key(m->how->seed, s->identity, PURPOSE_HATCH)};
     box b = extent(&k);
     bool is_bar = s->area > 0.7 * (b.x1 - b.x0) * (b.y1 - b.y0), done = false;

@@ -58,14 +58,16 @@ static void rectangle(item *it, double x0, double y0, double x1, double y1)
     polygon(it, (const double[]){x0, y0, x1, y0, x1, y1, x0, y1}, 4);
 }
 
-/* Hatches on a page of 100 x 100 mm. */
-static tally hatch(const item *it, uint64_t seed, bool *outline)
+/* Hatches on a page of 100 x 100 mm that has nothing else. */
+static tally hatch(item *it, uint64_t seed, bool *outline)
 {
     plan_options how = plb_plan_options_default();
     how.seed = seed;
     display_list list;
     plb_list_init(&list);
     list.width = list.height = 100;
+    list.items.v = it;
+    list.items.n = 1;
     hatcher h = plb_hatcher(&list, &how);
     tally k = {.bounds = BOX_EMPTY, .least_pressure = 1e9, .hole = {50, 50}, .closest = 1e9};
     error err = {ERROR_NONE, ""};
@@ -194,6 +196,25 @@ static void long_shapes_are_hatched_along_their_axis(void)
     plb_item_free(&it);
 }
 
+/* Tall bars of a chart beside short ones: one direction; squares of another tone have the hand's own. */
+static void shapes_of_one_tone_share_a_direction(void)
+{
+    plan_options how = plb_plan_options_default();
+    display_list list;
+    plb_list_init(&list);
+    list.width = list.height = 100;
+    for (int i = 0; i < 8; i++) {
+        item it = fill_of(i == 7 ? .3 : .7);
+        rectangle(&it, 10 * i + 5, i == 2 || i == 7 ? 82 : 20, 10 * i + 12, 90);
+        CHECK(plb_list_add(&list, &it, NULL));
+    }
+    hatcher h = plb_hatcher(&list, &how);
+    for (size_t i = 0; i < 7; i++)
+        CHECK_RANGE(fabs(plb_hatch_direction(&h, &list.items.v[i])), PLB_PI / 2 - .01, PLB_PI / 2 + .01);
+    CHECK(plb_hatch_direction(&h, &list.items.v[7]) == HATCH_HABIT);
+    plb_list_free(&list);
+}
+
 static void a_thin_bar_is_one_stroke_and_a_dot_a_dab(void)
 {
     item bar = fill_of(0), dot = fill_of(0), larger = fill_of(0);
@@ -289,6 +310,7 @@ int main(void)
     RUN(a_star_that_crosses_itself);
     RUN(measures_of_a_bar);
     RUN(long_shapes_are_hatched_along_their_axis);
+    RUN(shapes_of_one_tone_share_a_direction);
     RUN(a_thin_bar_is_one_stroke_and_a_dot_a_dab);
     RUN(an_arrowhead_is_scribbled_inside);
     RUN(another_seed_moves_every_line);
