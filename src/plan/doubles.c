@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Plan, all strokes: doubled lines. Exporters draw shared walls and borders once for each side; a person draws them
- * once. Where a stroke runs along an earlier one of its kind it is left out, as a whole or in part; what is left of
- * it goes on as strokes of their own.
+ * once. Where a line runs along an earlier one it is left out, as a whole or in part; what is left of it goes on as strokes
+ * of their own. Hatching and lettering are left alone.
  */
 #include "plan/grid.h"
 #include "plan/pass.h"
@@ -199,7 +199,9 @@ static bool undouble(undoubler *u, const stroke *s, const point *at)
     if (s->touch.kind == STROKE_HATCH) /* lies close to others on purpose */
         return plb_plan_append(u->made, s, at, s->n);
     u->runs.n = 0;
-    bool ok = true;
+    bool ok = true, is_line = s->touch.kind == STROKE_LINE || s->touch.kind == STROKE_GUIDE;
+    if (!is_line)
+        return plb_plan_append(u->made, s, at, s->n);
     for (size_t i = 1; ok && i < s->n; i++) {
         ok = find_runs(u, s->touch, at[i - 1], at[i], whole);
         whole += plb_point_distance(at[i - 1], at[i]);

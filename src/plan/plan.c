@@ -8,6 +8,7 @@
 #include "plan/plan.h"
 
 #include "plan/clip.h"
+#include "plan/dash.h"
 #include "plan/hatch.h"
 #include "plan/hidden.h"
 #include "plan/pass.h"
@@ -85,7 +86,7 @@ static bool cut_into_dashes(void *closure, const track *t)
     planner *p = closure;
     if (t->points.n == 1)
         return p->it->kind == ITEM_FILL || p->it->cap == LINE_CAP_BUTT || add_dot(p, t->points.v[0].at);
-    return plb_plan_dash(p->it, t, leave_out_hidden, p, p->err);
+    return plb_plan_dash(p->it, t, p->how, leave_out_hidden, p, p->err);
 }
 
 /* A line as thin as the pencil's. */
@@ -115,7 +116,7 @@ static bool add_passes(void *closure, const track *t)
 static bool add_wide_line(void *closure, const track *t)
 {
     planner *p = closure;
-    return plb_plan_dash(p->it, t, add_passes, p, p->err);
+    return plb_plan_dash(p->it, t, p->how, add_passes, p, p->err);
 }
 
 /* ---- from an item to tracks ---- */

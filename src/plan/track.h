@@ -45,9 +45,6 @@ typedef bool (*track_sink)(void *closure, const track *t);
 bool plb_plan_flatten(const path *p, bool close, track_sink sink, void *closure, error *err);
 double plb_track_length(const track *t);
 
-/* dash.c: the dashes of a track; the track itself when `it` has none. */
-bool plb_plan_dash(const item *it, const track *t, track_sink sink, void *closure, error *err);
-
 /* corner.c: a track cut at its corners; a closed one is first turned to start at a corner. */
 bool plb_plan_corners(const track *t, track_sink sink, void *closure, error *err);
 
