@@ -74,7 +74,7 @@ $(O)/libplumbago.a: $(lib_obj) $(O)/pencils.o
 	$(say) AR $@
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
-$(O)/plumbago: $(O)/tool/plumbago.o $(O)/tool/options.o $(O)/libplumbago.a
+$(O)/plumbago: $(O)/tool/plumbago.o $(O)/tool/options.o $(O)/tool/pages.o $(O)/libplumbago.a
 $(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(O)/tool/options.o $(O)/libplumbago.a
 $(O)/plumbago $(O)/plumbago-profile:
 	$(say) LINK $@
@@ -125,8 +125,8 @@ demo-pictures: all
 	@echo "$(demo_drawing), drawn with eight pencils, lies in build/demo."
 
 # ---- packages (Debian) ------------------------------------------------------------------------------------
-packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libxml2-dev fonts-dejavu-core python3-ezdxf
-packages_tests = librsvg2-bin ghostscript poppler-utils clang g++ mandoc strace locales unzip
+packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libxml2-dev fonts-dejavu-core poppler-utils python3-ezdxf
+packages_tests = librsvg2-bin ghostscript clang g++ mandoc strace locales unzip
 
 .PHONY: packages packages-check
 packages:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Does a pencil line lie where the drawing says? Each drawing is drawn ruler-straight at 96 dpi and compared with what
-# rsvg-convert (SVG) or Ghostscript (PostScript) makes of it: ink within 3 px both ways, for at least 97 % of the ink.
+# rsvg-convert (SVG), pdftocairo (PDF) or Ghostscript (PostScript) makes of it: ink within 3 px both ways, for at least 97 % of the ink.
 #
 # That holds for drawings made of lines. A fill is drawn as its outline, so the inside of a dark area is no ink of ours;
 # a light area painted over lines hides them in print, and need not for a hand. Drawings with such fills (by the display
@@ -36,6 +36,7 @@ reference() {
     local x y w h
     case $1 in
     *.svg) timeout 20 rsvg-convert -d 96 -p 96 "$1" -o "$2" ;;
+    *.pdf) timeout 20 pdftocairo -png -r 96 -singlefile "$1" "${2%.png}" ;;
     *)
         read -r x y w h < <(page_of "$1")
         timeout 20 gs -q -dSAFER -dBATCH -dNOPAUSE -sDEVICE=pnggray -r96 -dGraphicsAlphaBits=4 -dFirstPage=1 -dLastPage=1 -dFIXEDMEDIA \
@@ -111,4 +112,12 @@ if command -v gs >/dev/null; then
     fi
 else
     skip "PostScript against Ghostscript" "no gs here (Debian: ghostscript)"
+fi
+if [ -d "$SHARED/corpus/pdf" ]; then
+    if command -v pdftocairo >/dev/null; then
+        for file in "$SHARED"/corpus/pdf/*.pdf; do measure "$file" may; done
+        is "every PDF of the corpus draws" "$(grep -c '^pdf/.*\.pdf	.*[0-9]$' "$table")" "$(find "$SHARED/corpus/pdf" -name '*.pdf' | wc -l)"
+    else
+        skip "PDF against pdftocairo" "no pdftocairo here (Debian: poppler-utils)"
+    fi
 fi

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * From a file to strokes: load, read, fit to the page, plan.
+ * From a file's bytes to strokes: read, fit to the page, plan.
  */
 #include "api/drawing.h"
 
 #include "api/tone.h"
 #include "base/array.h"
-#include "input/input.h"
+#include "base/random.h"
 
 #include <math.h>
 #include <string.h>
@@ -32,11 +32,6 @@ static bool fit(display_list *list, const plb_options *o, error *err)
     return true;
 }
 
-static const char *shown_name(const char *file)
-{
-    return strcmp(file, "-") ? file : "standard input";
-}
-
 /* Nothing is left out silently. */
 static void report_losses(const plb_drawing *d, const messenger *say)
 {
@@ -49,43 +44,47 @@ static void report_losses(const plb_drawing *d, const messenger *say)
         plb_say(say, MESSAGE_WARNING, "%s: nothing in it leaves a mark: the page is empty", name);
 }
 
-static bool load(plb_drawing *d, const char *file, const plb_options *o, const messenger *say, error *err)
+static bool set_name(plb_drawing *d, const char *name, error *err)
 {
-    char *data = NULL;
-    size_t size = 0;
-    if (!plb_api_check(o, err) || !plb_input_load(file, &data, &size, err))
-        return false;
-    input_source in = {.name = shown_name(file), .data = data, .size = size, .helper_dir = o->helper_dir, .say = *say};
-    bool ok = plb_input_read(&in, &d->list, err);
-    plb_free(data);
-    if (!ok)
-        return false;
-    d->name = plb_new(strlen(in.name) + 1, 1);
+    d->name = plb_new(strlen(name) + 1, 1);
     if (!d->name)
         return plb_fail_memory(err);
-    strcpy(d->name, in.name);
-    plan_options how = plb_api_plan_options(o);
-    error late = {ERROR_NONE, ""};
-    if (!fit(&d->list, o, &late) || (plb_api_needs_tone(&d->list, &how) && !plb_api_measure_tone(o, &how, &late)) || !plb_plan(&d->list, &how, say, &d->strokes, &late))
-        return plb_fail(err, late.kind, "%s: %s", d->name, late.text);
-    report_losses(d, say);
+    strcpy(d->name, name);
     return true;
 }
 
-plb_drawing *plb_drawing_load(const char *file, const plb_options *options, plb_error *failed)
+/* The same line on two pages is drawn twice, so it differs. */
+static void mark_page(stroke_list *s, unsigned number)
 {
-    error err = {ERROR_NONE, ""};
-    api_adaptor adaptor = {options->message, options->closure};
-    messenger say = plb_api_messenger(&adaptor);
+    for (size_t i = 0; number > 1 && i < s->strokes.n; i++)
+        s->strokes.v[i].identity = random_fold(s->strokes.v[i].identity, number, 0);
+}
+
+static bool draw(plb_drawing *d, const input_source *in, const plb_options *o, error *err)
+{
+    if (!plb_input_read(in, &d->list, err) || !set_name(d, in->name, err))
+        return false;
+    plan_options how = plb_api_plan_options(o);
+    error late = {ERROR_NONE, ""};
+    if (!fit(&d->list, o, &late) || (plb_api_needs_tone(&d->list, &how) && !plb_api_measure_tone(o, &how, &late)) ||
+        !plb_plan(&d->list, &how, &in->say, &d->strokes, &late))
+        return plb_fail(err, late.kind, "%s: %s", d->name, late.text);
+    mark_page(&d->strokes, o->page);
+    report_losses(d, &in->say);
+    return true;
+}
+
+plb_drawing *plb_api_draw(const input_source *in, const plb_options *o, error *err)
+{
     plb_drawing *d = plb_new(1, sizeof *d);
-    if (!d)
-        plb_fail_memory(&err);
-    else
-        plb_list_init(&d->list);
-    if (d && load(d, file, options, &say, &err))
+    if (!d) {
+        plb_fail_memory(err);
+        return NULL;
+    }
+    plb_list_init(&d->list);
+    if (draw(d, in, o, err))
         return d;
     plb_drawing_free(d);
-    plb_api_finish(&err, failed);
     return NULL;
 }
 

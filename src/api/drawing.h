@@ -6,9 +6,13 @@
 #define PLB_API_DRAWING_H
 
 #include "api/api_internal.h"
+#include "input/input.h"
 #include "plan/plan.h"
 #include "stroke/stroke.h"
 #include "surface/page.h"
+
+/* The drawing in a file; NULL and `err` on failure. */
+plb_drawing *plb_api_draw(const input_source *in, const plb_options *o, error *err);
 
 /* Whether the options make sense. */
 bool plb_api_check(const plb_options *o, error *err);

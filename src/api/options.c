@@ -5,6 +5,7 @@
 #include "api/drawing.h"
 
 #include "base/team.h"
+#include "input/process.h"
 
 #include <math.h>
 #include <string.h>
@@ -18,6 +19,8 @@ plb_options plb_options_default(void)
     o.squiggle = -1; /* the arm's own */
     o.dpi = 300;
     o.compress = 1;
+    o.limit_time = PROCESS_LIMITS.seconds;
+    o.limit_memory = (double)(PROCESS_LIMITS.memory >> 20);
     return o;
 }
 
@@ -33,6 +36,8 @@ bool plb_api_check(const plb_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "threads must be 0 to %d, the compression 0 to 9", TEAM_MAX);
     if (!(o->squiggle <= 1000))
         return plb_fail(err, ERROR_ARGUMENT, "the squiggle must be at most 1 m");
+    if (!(o->limit_time >= 1 && o->limit_time <= 1e6 && o->limit_memory >= 64 && o->limit_memory <= 1e6))
+        return plb_fail(err, ERROR_ARGUMENT, "the limits must be 1 to 1e6 seconds and 64 to 1e6 MiB");
     if (o->model > PLB_MODEL_GRAPHITE || o->arm > PLB_ARM_SPRING || o->background > PLB_BACKGROUND_NONE || o->handed > PLB_HAND_NONE)
         return plb_fail(err, ERROR_ARGUMENT, "there is no such model, arm, hand or background");
     if (o->fill > PLB_FILL_NONE)

@@ -135,6 +135,10 @@ typedef struct {
     plb_background background;  /* default white */
     int threads;                /* at most so many, up to 64; 0, the default: as many as there are processors */
     int compress;               /* how small files are made: 0, not, to 9; default 1 */
+    unsigned page;              /* which page of a file with several, from 1; 0, the default: the first, and a warning when
+                                   there are others */
+    double limit_time;          /* processor time of each program that reads foreign formats, s; default 10, 1 to 1e6 */
+    double limit_memory;        /* and its memory, MiB; default 1024, 64 to 1e6 */
     const char *helper_dir;     /* where the helper program tap-svg lies; NULL: beside the program, else the installed place */
     plb_message_function message; /* NULL: silence */
     void (*progress)(void *closure, double done); /* told 0 to 1 now and then; may be NULL */
@@ -147,8 +151,8 @@ typedef struct plb_drawing plb_drawing;
 
 /* In all calls `drawing`, `file` and `options` must not be NULL; `error` may be. */
 
-/* Reads SVG (.svg, .svgz) or PostScript (.ps, .eps), recognised by content, from `file` ("-": standard input), at the
- * size that `options` ask for. The caller frees the result. NULL and `error` on failure. */
+/* Reads SVG (.svg, .svgz), PDF or PostScript (.ps, .eps), recognised by content, from `file` ("-": standard input), at
+ * the size that `options` ask for. The caller frees the result. NULL and `error` on failure. */
 PLB_API plb_drawing *plb_drawing_load(const char *file, const plb_options *options, plb_error *error);
 PLB_API void plb_drawing_free(plb_drawing *drawing);
 /* Size of the page, mm. */
@@ -156,6 +160,16 @@ PLB_API double plb_drawing_width(const plb_drawing *drawing);
 PLB_API double plb_drawing_height(const plb_drawing *drawing);
 /* How many pencil strokes it has. */
 PLB_API size_t plb_drawing_strokes(const plb_drawing *drawing);
+
+/* A file in memory, for those who want several of its pages. Immutable. */
+typedef struct plb_file plb_file;
+/* Reads all bytes of `file` ("-": standard input). The caller frees the result. NULL and `error` on failure. */
+PLB_API plb_file *plb_file_load(const char *file, plb_error *error);
+PLB_API void plb_file_free(plb_file *file);
+/* How many pages it has; 0 and `error` on failure. */
+PLB_API unsigned plb_file_pages(const plb_file *file, const plb_options *options, plb_error *error);
+/* The drawing on options->page. The caller frees the result. NULL and `error` on failure. */
+PLB_API plb_drawing *plb_file_draw(const plb_file *file, const plb_options *options, plb_error *error);
 
 /* Writes the drawing as PNG to `file` (complete or not at all; "-": standard output). */
 PLB_API bool plb_drawing_write_png(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);

@@ -3,35 +3,13 @@
  * DXF: the helper program tap-dxf (Python, the library ezdxf) turns the file into an SVG text in memory, which is
  * then read like any other SVG. It also chooses the scale on paper, which becomes the list's.
  */
-#include "input/input.h"
+#include "input/reader.h"
 
-#include "base/array.h"
 #include "base/number.h"
-#include "input/process.h"
 
 #include <string.h>
 
-#define MAX_SVG_BYTES ((size_t)256 << 20)
-
-typedef ARRAY(char) bytes;
-
 enum { TAP_DONE, TAP_USAGE, TAP_MALFORMED, TAP_REFUSED, TAP_WRITE, TAP_LIMIT, TAP_MISSING }; /* see tap_dxf.py */
-
-/* All that the helper writes. False when out of memory or over the limit. */
-static bool collect(process *p, bytes *all, error *err)
-{
-    const char *data;
-    size_t n;
-    while (plb_process_read(p, &data, &n)) {
-        if (all->n + n > MAX_SVG_BYTES)
-            return plb_fail(err, ERROR_LIMIT, "the drawing is larger than %zu MB", MAX_SVG_BYTES >> 20);
-        if (!array_reserve(all, n))
-            return plb_fail_memory(err);
-        memcpy(all->v + all->n, data, n);
-        all->n += n;
-    }
-    return true;
-}
 
 /* "NAME: text", or "NAME:LINE: text" when the text starts with the line's number and a colon. */
 static bool fail_with_reason(const input_source *in, error_kind kind, char *text, error *err)
@@ -45,10 +23,6 @@ static bool fail_with_reason(const input_source *in, error_kind kind, char *text
 /* Says why the process did not succeed. */
 static bool explain_end(const input_source *in, process *p, error *err)
 {
-    if (p->end == PROCESS_TIMED_OUT)
-        return plb_fail(err, ERROR_LIMIT, "%s: ezdxf needs more than %d seconds for this drawing", in->name, PROCESS_CPU_SECONDS);
-    if (p->end == PROCESS_CRASHED)
-        return plb_fail(err, ERROR_HELPER, "%s: ezdxf dies on this drawing (signal %d)", in->name, p->code);
     static const error_kind kinds[] = {[TAP_MALFORMED] = ERROR_SYNTAX, [TAP_REFUSED] = ERROR_UNSUPPORTED,
                                        [TAP_LIMIT] = ERROR_LIMIT, [TAP_MISSING] = ERROR_HELPER};
     error_kind kind = p->code <= TAP_MISSING ? kinds[p->code] : ERROR_NONE;
@@ -74,26 +48,24 @@ static void pass_on(const input_source *in, char *text)
     }
 }
 
-static bool run_tap(const input_source *in, bytes *svg, error *err)
+static bool run_tap(const input_source *in, reader_bytes *svg, error *err)
 {
     char program[PROCESS_PATH_MAX], name[] = "tap-dxf";
     char *argv[] = {name, NULL};
     process p;
     error late = {ERROR_NONE, ""};
-    if (!plb_process_find(in->helper_dir, name, program, &late) || !plb_process_start(&p, program, argv, in->data, in->size, &late))
+    if (!plb_process_find(in->helper_dir, name, program, &late))
         return plb_fail(err, late.kind, "%s: %s", in->name, late.text);
-    bool whole = collect(&p, svg, &late);
-    plb_process_finish(&p);
-    if (!whole)
-        return plb_fail(err, late.kind, "%s: %s", in->name, late.text);
-    if (p.end != PROCESS_EXITED || p.code != TAP_DONE)
+    if (!plb_reader_run(in, "ezdxf", program, argv, &p, svg, err))
+        return false;
+    if (p.code != TAP_DONE)
         return explain_end(in, &p, err);
     pass_on(in, p.message);
     return true;
 }
 
 /* The first line, "%%Plumbago-tap-dxf 1 SCALE"; `rest` gets what follows it. */
-static bool read_head(const bytes *all, double *scale, size_t *rest)
+static bool read_head(const reader_bytes *all, double *scale, size_t *rest)
 {
     static const char sign[] = "%%Plumbago-tap-dxf 1 ";
     size_t n = strlen(sign);
@@ -106,7 +78,7 @@ static bool read_head(const bytes *all, double *scale, size_t *rest)
 
 bool plb_read_dxf(const input_source *in, display_list *list, error *err)
 {
-    bytes svg = {0};
+    reader_bytes svg = {0};
     size_t rest = 0;
     double scale = 1;
     bool good = run_tap(in, &svg, err);

@@ -9,7 +9,8 @@
 typedef struct {
     const char *name;
     bool (*recognise)(const char *data, size_t size);
-    bool (*read)(const input_source *in, display_list *list, error *err); /* NULL: known, but not read yet */
+    bool (*read)(const input_source *in, display_list *list, error *err);
+    bool (*count_pages)(const input_source *in, unsigned *pages, error *err); /* NULL: there is always one */
 } input_format;
 
 /* How far a sign of the format may lie from the start. */
@@ -78,23 +79,39 @@ static bool is_dxf(const char *data, size_t size)
 }
 
 static const input_format formats[] = {
-    {"PostScript", is_postscript, plb_read_postscript},
-    {"PDF", is_pdf, NULL},
-    {"SVG", is_svg, plb_read_svg},
-    {"DXF", is_dxf, plb_read_dxf},
+    {"PostScript", is_postscript, plb_read_postscript, plb_count_postscript_pages},
+    {"PDF", is_pdf, plb_read_pdf, plb_count_pdf_pages},
+    {"SVG", is_svg, plb_read_svg, NULL},
+    {"DXF", is_dxf, plb_read_dxf, NULL},
 };
+
+static const input_format *find_format(const input_source *in, error *err)
+{
+    if (!in->size) {
+        plb_fail(err, ERROR_SYNTAX, "%s: the file is empty", in->name);
+        return NULL;
+    }
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (formats[i].recognise(in->data, in->size))
+            return &formats[i];
+    plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG, PDF, PostScript or DXF)", in->name);
+    return NULL;
+}
+
+bool plb_input_count_pages(const input_source *in, unsigned *pages, error *err)
+{
+    const input_format *f = find_format(in, err);
+    *pages = 1;
+    return f && (!f->count_pages || f->count_pages(in, pages, err));
+}
 
 bool plb_input_read(const input_source *in, display_list *list, error *err)
 {
-    if (!in->size)
-        return plb_fail(err, ERROR_SYNTAX, "%s: the file is empty", in->name);
-    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++) {
-        if (!formats[i].recognise(in->data, in->size))
-            continue;
-        if (!formats[i].read)
-            return plb_fail(err, ERROR_UNSUPPORTED, "%s: %s is not read yet", in->name, formats[i].name);
-        plb_say(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, formats[i].name);
-        return formats[i].read(in, list, err);
-    }
-    return plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG, PostScript or DXF)", in->name);
+    const input_format *f = find_format(in, err);
+    if (!f)
+        return false;
+    plb_say(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, f->name);
+    if (!f->count_pages && in->page > 1)
+        return plb_fail(err, ERROR_ARGUMENT, "%s: it has no page %u, only 1", in->name, in->page);
+    return f->read(in, list, err);
 }

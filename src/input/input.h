@@ -6,6 +6,7 @@
 #define PLB_INPUT_INPUT_H
 
 #include "base/error.h"
+#include "input/process.h"
 #include "list/list.h"
 
 #include <stddef.h>
@@ -16,11 +17,16 @@ typedef struct {
     size_t size;
     const char *helper_dir; /* where tap-svg is looked for first; NULL: beside the program, then the installed place */
     messenger say;          /* warnings and details */
+    unsigned page;          /* which page of several, from 1 */
+    process_limits limits;  /* of each foreign program */
 } input_source;
 
 /* Recognises the format by content and reads it. On success `list` (initialised by the caller) holds items and a
  * page size in mm. On failure `err` says "NAME:LINE: what" or "NAME: what". */
 bool plb_input_read(const input_source *in, display_list *list, error *err);
+
+/* How many pages there are to read, at least 1; in->page does not matter. */
+bool plb_input_count_pages(const input_source *in, unsigned *pages, error *err);
 
 /* Reads a whole file (or standard input, when `file` is "-") into memory the caller frees with plb_free; at most
  * INPUT_MAX_BYTES. Directories and devices that never end are refused by that limit. */
@@ -31,5 +37,10 @@ bool plb_input_load(const char *file, char **data, size_t *size, error *err);
 bool plb_read_svg(const input_source *in, display_list *list, error *err);
 bool plb_read_postscript(const input_source *in, display_list *list, error *err);
 bool plb_read_dxf(const input_source *in, display_list *list, error *err);
+bool plb_read_pdf(const input_source *in, display_list *list, error *err);
+
+/* Counters of pages, for the formats that can have several. */
+bool plb_count_postscript_pages(const input_source *in, unsigned *pages, error *err);
+bool plb_count_pdf_pages(const input_source *in, unsigned *pages, error *err);
 
 #endif

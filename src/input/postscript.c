@@ -8,6 +8,7 @@
 
 #include "base/units.h"
 
+#include <limits.h>
 #include <math.h>
 #include <string.h>
 
@@ -118,33 +119,73 @@ static void remark(ps *p, const ps_dsc *dsc)
         plb_say(say, MESSAGE_WARNING, "%s: the program ends in the middle of its page; drawn is what it holds", p->in->name);
     if (p->strings_left_out)
         plb_say(say, MESSAGE_WARNING, "%s: %lu text strings left out: PostScript fonts are not drawn yet", p->in->name, p->strings_left_out);
-    if (p->page_shown && (dsc->pages > 1 || plb_dsc_has_page(f->at, (size_t)(f->end - f->at))))
-        plb_say(say, MESSAGE_WARNING, "%s: only the first page is drawn", p->in->name);
+    if (p->page_shown && !p->in->page && (dsc->pages > 1 || plb_dsc_has_page(f->at, (size_t)(f->end - f->at))))
+        plb_say(say, MESSAGE_WARNING, "%s: only the first page is drawn (--page)", p->in->name);
+}
+
+/* Runs the program up to the page that is wanted. */
+static bool run(ps *p, const ps_dsc *dsc, const char *program, size_t length)
+{
+    expect_page(p, dsc);
+    if (!start(p, program, length) || !plb_ps_run(p))
+        return false;
+    if (!p->page_shown && plb_ps_page_has_something(p)) /* a last page that is not shown counts as well */
+        p->page++;
+    return true;
 }
 
 static bool read_program(ps *p, const char *program, size_t length)
 {
     ps_dsc dsc;
     plb_dsc_read(program, length, PS_MAX_PAGE_POINTS, &dsc);
-    expect_page(p, &dsc);
-    if (!start(p, program, length) || !plb_ps_run(p))
+    p->page_wanted = p->in->page ? p->in->page : 1;
+    if (!run(p, &dsc, program, length))
         return false;
+    if (p->page < p->page_wanted && p->page_wanted > 1)
+        return plb_fail(&p->err, ERROR_ARGUMENT, "%s: it has no page %u, only %u", p->in->name, p->page_wanted, p->page ? p->page : 1);
     place_on_page(p, &dsc);
     remark(p, &dsc);
     return true;
 }
 
-bool plb_read_postscript(const input_source *in, display_list *list, error *err)
+static bool count_pages(ps *p, const char *program, size_t length)
+{
+    ps_dsc dsc;
+    plb_dsc_read(program, length, PS_MAX_PAGE_POINTS, &dsc);
+    p->page_wanted = UINT_MAX;
+    return run(p, &dsc, program, length);
+}
+
+/* Runs `what` on the file's program. */
+static bool with_program(ps *p, bool (*what)(ps *p, const char *program, size_t length), error *err)
 {
     const char *program;
     size_t length;
-    plb_dsc_find_program(in->data, in->size, &program, &length);
+    plb_dsc_find_program(p->in->data, p->in->size, &program, &length);
     if (!length)
-        return plb_fail(err, ERROR_SYNTAX, "%s: the file holds no PostScript", in->name);
-    ps p = {.in = in, .list = list};
-    bool good = read_program(&p, program, length);
+        return plb_fail(err, ERROR_SYNTAX, "%s: the file holds no PostScript", p->in->name);
+    bool good = what(p, program, length);
     if (!good)
-        plb_fail(err, p.err.kind ? p.err.kind : ERROR_SYNTAX, "%s", p.err.kind ? p.err.text : "the PostScript program failed");
-    finish(&p);
+        plb_fail(err, p->err.kind ? p->err.kind : ERROR_SYNTAX, "%s", p->err.kind ? p->err.text : "the PostScript program failed");
+    finish(p);
+    return good;
+}
+
+bool plb_read_postscript(const input_source *in, display_list *list, error *err)
+{
+    ps p = {.in = in, .list = list};
+    return with_program(&p, read_program, err);
+}
+
+bool plb_count_postscript_pages(const input_source *in, unsigned *pages, error *err)
+{
+    display_list list;
+    input_source quietly = *in;
+    quietly.say = (messenger){0};
+    plb_list_init(&list);
+    ps p = {.in = &quietly, .list = &list};
+    bool good = with_program(&p, count_pages, err);
+    plb_list_free(&list);
+    *pages = p.page ? p.page : 1;
     return good;
 }

@@ -9,6 +9,7 @@
 #include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <math.h>
 #include <poll.h>
 #include <signal.h>
 #include <stdio.h>
@@ -22,6 +23,9 @@
 
 #define BUFFER_BYTES ((size_t)1 << 16)
 #define ENVIRONMENT_MAX 64
+/* A process that uses no processor time is ended by the clock; a busy machine gets so many times the limit. */
+#define TIMES_SILENT 3
+#define TIMES_IN_ALL 10
 
 extern char **environ;
 
@@ -43,6 +47,7 @@ extern char **environ;
 typedef struct {
     int in, out, err;
     int last_descriptor;
+    process_limits limits;
     const char *program;
     char *const *argv;
     char path[24], locale[12];
@@ -101,11 +106,12 @@ static _Noreturn void be_child(const child_plan *plan)
     sigprocmask(SIG_SETMASK, &none, NULL);
     signal(SIGPIPE, SIG_DFL);
     signal(SIGXFSZ, SIG_IGN); /* a font cache that cannot be written is no reason to die */
-    limit(RLIMIT_CPU, PROCESS_CPU_SECONDS, PROCESS_CPU_SECONDS + 1);
+    rlim_t seconds = (rlim_t)ceil(plan->limits.seconds);
+    limit(RLIMIT_CPU, seconds, seconds + 1);
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_FSIZE, 0, 0);
     if (LIMIT_MEMORY)
-        limit(RLIMIT_AS, PROCESS_MEMORY_BYTES, PROCESS_MEMORY_BYTES);
+        limit(RLIMIT_AS, plan->limits.memory, plan->limits.memory);
     /* our ends are above 2 (see open_ends), so none of these overwrites another */
     if (dup2(plan->in, 0) < 0 || dup2(plan->out, 1) < 0 || dup2(plan->err, 2) < 0)
         _exit(127);
@@ -116,6 +122,13 @@ static _Noreturn void be_child(const child_plan *plan)
 }
 
 /* ---- starting --------------------------------------------------------------------------------------------- */
+
+static double now(void)
+{
+    struct timespec t;
+    clock_gettime(CLOCK_MONOTONIC, &t);
+    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
 
 static void close_end(int *fd)
 {
@@ -158,10 +171,12 @@ static bool open_ends(int ends[6])
     return true;
 }
 
-bool plb_process_start(process *p, const char *program, char *const argv[], const char *input, size_t size, error *err)
+bool plb_process_start(process *p, const char *program, char *const argv[], const char *input, size_t size,
+                       const process_limits *limits, error *err)
 {
     int ends[6];
     *p = (process){.pid = -1, .in = -1, .out = -1, .err = -1, .input = input, .input_left = size};
+    p->limits = limits && limits->seconds > 0 ? *limits : PROCESS_LIMITS;
     p->buffer = plb_new(BUFFER_BYTES, 1);
     if (!p->buffer)
         return plb_fail_memory(err);
@@ -171,7 +186,7 @@ bool plb_process_start(process *p, const char *program, char *const argv[], cons
         plb_free(p->buffer);
         return false;
     }
-    child_plan plan = {.in = ends[1], .out = ends[3], .err = ends[5], .program = program, .argv = argv};
+    child_plan plan = {.in = ends[1], .out = ends[3], .err = ends[5], .limits = p->limits, .program = program, .argv = argv};
     plan.last_descriptor = highest_descriptor();
     plan_environment(&plan);
     p->pid = fork();
@@ -183,6 +198,7 @@ bool plb_process_start(process *p, const char *program, char *const argv[], cons
         plb_free(p->buffer);
         return false;
     }
+    p->killed_at = now() + TIMES_IN_ALL * p->limits.seconds;
     p->in = ends[0];
     p->out = ends[2];
     p->err = ends[4];
@@ -238,22 +254,15 @@ static int read_output(process *p, size_t *size)
     return -1;
 }
 
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
-
 /* Waits until something can be done; false: nothing for too long. */
 static bool wait_for_ends(const process *p, struct pollfd ends[3])
 {
-    double start = now();
+    double end = fmin(now() + TIMES_SILENT * p->limits.seconds, p->killed_at);
     ends[0] = (struct pollfd){.fd = p->in, .events = POLLOUT};
     ends[1] = (struct pollfd){.fd = p->out, .events = POLLIN};
     ends[2] = (struct pollfd){.fd = p->err, .events = POLLIN};
     for (;;) {
-        double left = start + PROCESS_SILENCE_SECONDS - now();
+        double left = end - now();
         if (left <= 0)
             return false;
         int n = poll(ends, 3, (int)(left * 1000) + 1);
@@ -364,6 +373,23 @@ static bool join(char path[PROCESS_PATH_MAX], const char *directory, const char 
 {
     int n = snprintf(path, PROCESS_PATH_MAX, "%s%s/%s", directory, between, name);
     return n > 0 && n < PROCESS_PATH_MAX && is_program(path);
+}
+
+bool plb_process_find_installed(const char *name, char path[PROCESS_PATH_MAX])
+{
+    const char *at = "/usr/local/bin:/usr/bin:/bin";
+    for (char **e = environ; e && *e; e++)
+        if (!strncmp(*e, "PATH=", 5))
+            at = *e + 5;
+    for (;; at++) {
+        size_t n = strcspn(at, ":");
+        int length = snprintf(path, PROCESS_PATH_MAX, "%.*s/%s", n < PROCESS_PATH_MAX ? (int)n : 0, at, name);
+        if (n && at[0] == '/' && length < PROCESS_PATH_MAX && is_program(path))
+            return true;
+        at += n;
+        if (!*at)
+            return false;
+    }
 }
 
 bool plb_process_find(const char *helper_dir, const char *name, char path[PROCESS_PATH_MAX], error *err)

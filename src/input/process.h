@@ -12,10 +12,13 @@
 #include <stddef.h>
 #include <sys/types.h>
 
-#define PROCESS_CPU_SECONDS 10
-#define PROCESS_MEMORY_BYTES ((size_t)1 << 30)
-/* Neither bytes taken nor bytes given for so long: it is killed. */
-#define PROCESS_SILENCE_SECONDS 30
+/* What a process may use. */
+typedef struct {
+    double seconds; /* of processor time; by the clock three times as many in silence (neither bytes taken nor given), ten
+                       times as many in all */
+    size_t memory;  /* bytes of address space */
+} process_limits;
+#define PROCESS_LIMITS ((process_limits){.seconds = 10, .memory = (size_t)1 << 30})
 
 typedef enum {
     PROCESS_RUNNING,
@@ -34,11 +37,14 @@ typedef struct {
     int code;
     char message[1024]; /* the first bytes that it wrote to its standard error; a string */
     size_t message_length;
+    process_limits limits;
+    double killed_at; /* by the clock */
 } process;
 
 /* Starts `program` with arguments argv[0..], NULL-terminated, and `size` bytes of input, which must live until the
- * end. False and `err` when it cannot be started; then there is nothing to finish. */
-bool plb_process_start(process *p, const char *program, char *const argv[], const char *input, size_t size, error *err);
+ * end; `limits` may be NULL. False and `err` when it cannot be started; then there is nothing to finish. */
+bool plb_process_start(process *p, const char *program, char *const argv[], const char *input, size_t size,
+                       const process_limits *limits, error *err);
 /* Waits for more of its output. False at the end of the output. The bytes live until the next call. */
 bool plb_process_read(process *p, const char **data, size_t *size);
 /* Ends it (by force, if its output was not read to the end), reaps it and fills `end` and `code`. */
@@ -48,5 +54,7 @@ void plb_process_finish(process *p);
  * libexec/plumbago near it, else in the place it was installed to. False and ERROR_HELPER when there is none. */
 #define PROCESS_PATH_MAX 4096
 bool plb_process_find(const char *helper_dir, const char *name, char path[PROCESS_PATH_MAX], error *err);
+/* The path of a program that the system has, by the user's PATH; false when there is none. */
+bool plb_process_find_installed(const char *name, char path[PROCESS_PATH_MAX]);
 
 #endif

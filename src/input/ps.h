@@ -252,6 +252,8 @@ struct ps {
     char detail[160];    /* more about it, or empty */
     bool finished;       /* quit, or the page is complete */
     bool page_shown;
+    unsigned page, page_wanted; /* shown so far, and the one to stop at; blank ones do not count */
+    unsigned sheets;            /* shown so far, blank or not */
     /* dictionaries of the system */
     ps_dict *systemdict, *userdict, *globaldict, *statusdict, *errordict, *error_info, *fonts, *built_in_fonts, *resources;
     ps_object standard_encoding, latin1_encoding;
@@ -386,6 +388,7 @@ bool plb_ps_make_system(ps *p);
 bool plb_ps_add_operators(ps *p, ps_dict *d, const ps_operator *table);
 
 /* ps_page.c */
+bool plb_ps_page_has_something(const ps *p);
 bool plb_ps_set_page_size(ps *p, double width, double height);
 
 /* ps_colour.c: how many components a colour space has. */

@@ -17,13 +17,31 @@ bool plb_ps_set_page_size(ps *p, double width, double height)
     return true;
 }
 
-/* The first page that has something on it is the drawing. */
+/* The items alone: saved graphics states may name the clips. */
+static void clear_page(ps *p)
+{
+    for (size_t i = 0; i < p->list->items.n; i++)
+        plb_item_free(&p->list->items.v[i]);
+    p->list->items.n = 0;
+}
+
+bool plb_ps_page_has_something(const ps *p)
+{
+    return p->list->items.n || p->list->images || p->strings_left_out;
+}
+
+/* Pages that have something on them count; the one that is wanted ends the reading. */
 static bool op_showpage(ps *p)
 {
-    if (p->list->items.n || p->list->images || p->strings_left_out) {
+    p->sheets++;
+    p->page += plb_ps_page_has_something(p);
+    if (p->page == p->page_wanted) {
         p->finished = p->page_shown = true;
         return true;
     }
+    clear_page(p);
+    p->list->images = 0;
+    p->strings_left_out = 0;
     plb_ps_reset_graphics(p);
     return true;
 }
@@ -37,9 +55,7 @@ static bool op_copypage(ps *p)
 /* Paints the page white: what was drawn is gone. */
 static bool op_erasepage(ps *p)
 {
-    for (size_t i = 0; i < p->list->items.n; i++)
-        plb_item_free(&p->list->items.v[i]);
-    p->list->items.n = 0;
+    clear_page(p);
     return true;
 }
 

@@ -7,7 +7,7 @@
 #include "input/input.h"
 
 #include "input/cairoscript.h"
-#include "input/process.h"
+#include "input/reader.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -39,26 +39,13 @@ static bool fail_with_message(const input_source *in, error_kind kind, char *mes
     return plb_fail(err, kind, "%s:%ld: not well-formed XML: %s", in->name, strtol(line + strlen(where), NULL, 10), text);
 }
 
-static bool ran_out_of_memory(const process *p)
-{
-    return strstr(p->message, "memory allocation of") || strstr(p->message, "failed to allocate") ||
-           strstr(p->message, "ut of memory");
-}
-
 /* Says why the process did not succeed. */
 static outcome explain_end(const input_source *in, process *p, error *err)
 {
-    if (p->end == PROCESS_TIMED_OUT) {
-        plb_fail(err, ERROR_LIMIT, "%s: librsvg needs more than %d seconds for this drawing", in->name, PROCESS_CPU_SECONDS);
-        return FAILED;
-    }
-    if (p->end == PROCESS_CRASHED && ran_out_of_memory(p)) {
-        plb_fail(err, ERROR_LIMIT, "%s: librsvg needs more than %zu MB for this drawing", in->name, PROCESS_MEMORY_BYTES >> 20);
-        return FAILED;
-    }
-    if (p->end == PROCESS_CRASHED) {
-        plb_fail(err, ERROR_HELPER, "%s: librsvg dies on this drawing (signal %d)", in->name, p->code);
-        return CRASHED;
+    error why = {0};
+    if (!plb_reader_ended_by_itself(in, "librsvg", p, &why)) {
+        plb_fail(err, why.kind, "%s", why.text);
+        return why.kind == ERROR_HELPER ? CRASHED : FAILED;
     }
     static const error_kind kinds[] = {[TAP_MALFORMED] = ERROR_SYNTAX, [TAP_REFUSED] = ERROR_UNSUPPORTED, [TAP_LIMIT] = ERROR_LIMIT};
     error_kind kind = p->code <= TAP_LIMIT ? kinds[p->code] : ERROR_NONE;
@@ -81,7 +68,7 @@ static outcome run_tap(const input_source *in, const char *program, manner how, 
     argv[n] = NULL;
     process p;
     error reading = {0};
-    if (!plb_process_start(&p, program, argv, in->data, in->size, &reading)) {
+    if (!plb_process_start(&p, program, argv, in->data, in->size, &in->limits, &reading)) {
         plb_fail(err, reading.kind, "%s: %s", in->name, reading.text);
         return FAILED;
     }

@@ -4,6 +4,7 @@
  */
 #include "api/plumbago.h"
 #include "tool/options.h"
+#include "tool/pages.h"
 
 #include <errno.h>
 #include <fcntl.h>
@@ -22,6 +23,7 @@ enum { EXIT_DRAWN = 0, EXIT_NOT_DRAWN = 1, EXIT_WRONG_COMMAND = 2 };
 typedef struct {
     plb_options o;
     const char *output, *pencil;
+    const char *pages; /* as --page says: "2", "2-4", "1,5-" or "all"; NULL: the first */
     int dump; /* a plb_dump, or -1 */
     bool random_seed, quiet, list_pencils, version, help;
     int verbose;
@@ -137,6 +139,24 @@ static bool parse_int(const char *text, int most, int *value)
 }
 static bool set_threads(void *p, const char *v) { return parse_int(v, 64, &((settings *)p)->o.threads) && *v != '0'; }
 static bool set_compress(void *p, const char *v) { return parse_int(v, 9, &((settings *)p)->o.compress); }
+static bool set_page(void *p, const char *v)
+{
+    const char *list = v;
+    page_range range;
+    ((settings *)p)->pages = v;
+    while (pages_next(&list, &range)) {}
+    return *v && !*list;
+}
+static bool set_limit_time(void *p, const char *v)
+{
+    double *s = &((settings *)p)->o.limit_time;
+    return parse_number(v, s) && *s >= 1 && *s <= 1e6;
+}
+static bool set_limit_memory(void *p, const char *v)
+{
+    double *mib = &((settings *)p)->o.limit_memory;
+    return parse_number(v, mib) && *mib >= 64 && *mib <= 1e6;
+}
 static bool set_dump(void *p, const char *v)
 {
     return choose(v, (const char *const[]){"list", "strokes", "controls"}, 3, &((settings *)p)->dump);
@@ -160,8 +180,12 @@ static bool set_version(void *p, const char *v) { return (void)v, ((settings *)p
 static bool set_help(void *p, const char *v) { return (void)v, ((settings *)p)->help = true; }
 
 static const option table[] = {
+    {0, NULL, NULL, "Input", NULL},
+    {0, "page", "N|N-M|all", "which pages of a PDF or PostScript file, also a list [1]", set_page},
+    {0, "limit-time", "SECONDS", "processor time of each program that reads for us [10]", set_limit_time},
+    {0, "limit-memory", "MIB", "memory of each program that reads for us [1024]", set_limit_memory},
     {0, NULL, NULL, "Output", NULL},
-    {'o', "output", "FILE", "write FILE, PNG or .pdf; '-': standard output [FILE's name with .png]", set_output},
+    {'o', "output", "FILE", "write FILE, PNG or .pdf; '-': standard output; %d: page [FILE's name .png]", set_output},
     {'d', "dpi", "DPI", "resolution, 10 to 4800 pixels per inch [300]", set_dpi},
     {0, "background", "white|none", "paper, or nothing behind the graphite [white]", set_background},
     {0, "compress", "0..9", "0: large at once, 9: small and slow [1]", set_compress},
@@ -195,7 +219,7 @@ static void print_help(void)
 {
     printf("usage: " PROGRAM " [options] [FILE]\n"
            "\n"
-           "Draws FILE, a vector drawing (SVG, PostScript, EPS or DXF), as a person with a pencil would.\n"
+           "Draws FILE, a vector drawing (SVG, PDF, PostScript, EPS or DXF), as a person with a pencil would.\n"
            "\n"
            "  " PROGRAM " plan.svg                          plan.png appears beside it\n"
            "  " PROGRAM " -p 6B plan.ps -o - | display      in a pipe, with a soft pencil\n");
@@ -269,18 +293,6 @@ static int list_pencils(void)
     return EXIT_DRAWN;
 }
 
-/* FILE's name with .png in place of its own suffix. The caller frees. */
-static char *name_output(const char *input)
-{
-    const char *slash = strrchr(input, '/'), *base = slash ? slash + 1 : input;
-    const char *dot = strrchr(base, '.');
-    size_t stem = dot && dot > base ? (size_t)(dot - input) : strlen(input);
-    char *name = malloc(stem + 5);
-    if (name)
-        snprintf(name, stem + 5, "%.*s.png", (int)stem, input);
-    return name;
-}
-
 static uint64_t random_seed(void)
 {
     uint64_t seed = (uint64_t)time(NULL) * 1000003u + (uint64_t)getpid();
@@ -307,23 +319,6 @@ static bool write_result(const settings *s, const plb_drawing *d, const char *to
     return (ends_with(to, ".pdf") ? plb_drawing_write_pdf : plb_drawing_write_png)(d, to, &s->o, e);
 }
 
-static int draw(settings *s, const char *input, const char *to)
-{
-    plb_error e = {PLB_OK, ""};
-    plb_profile *pencil = plb_profile_load(s->pencil, &e);
-    if (!pencil)
-        return fail(s, &e);
-    s->o.profile = pencil;
-    plb_drawing *d = plb_drawing_load(input, &s->o, &e);
-    bool ok = d && write_result(s, d, to, &e);
-    if (ok && s->verbose)
-        fprintf(stderr, PROGRAM ": %zu strokes on %.1f x %.1f mm with %s, seed %llu: %s\n", plb_drawing_strokes(d), plb_drawing_width(d),
-                plb_drawing_height(d), plb_profile_name(pencil), (unsigned long long)s->o.seed, to);
-    plb_drawing_free(d);
-    plb_profile_free(pencil);
-    return ok ? EXIT_DRAWN : fail(s, &e);
-}
-
 static bool is_same_file(const char *a, const char *b)
 {
     struct stat x, y;
@@ -331,17 +326,85 @@ static bool is_same_file(const char *a, const char *b)
            x.st_ino == y.st_ino;
 }
 
+static bool is_text(const settings *s) { return s->dump == PLB_DUMP_LIST || s->dump == PLB_DUMP_STROKES; }
+
+/* What the work of one call needs. */
+typedef struct {
+    const char *input;
+    const char *to; /* where the result goes, perhaps with a %d in it */
+    plb_file *file;
+    bool several;   /* pages may be drawn */
+} job;
+
+static int draw(settings *s, const job *j, unsigned page)
+{
+    plb_error e = {PLB_OK, ""};
+    char *to = s->output || j->several ? pages_name(j->to, page ? page : 1) : strdup(j->to);
+    if (!to)
+        return wrong("out of memory");
+    if (is_same_file(to, j->input)) {
+        free(to);
+        return wrong("the result would replace the drawing: name another file with -o");
+    }
+    s->o.page = page;
+    plb_drawing *d = plb_file_draw(j->file, &s->o, &e);
+    bool ok = d && write_result(s, d, to, &e);
+    if (ok && s->verbose)
+        fprintf(stderr, PROGRAM ": %zu strokes on %.1f x %.1f mm with %s, seed %llu: %s\n", plb_drawing_strokes(d), plb_drawing_width(d),
+                plb_drawing_height(d), plb_profile_name(s->o.profile), (unsigned long long)s->o.seed, to);
+    plb_drawing_free(d);
+    free(to);
+    return ok ? EXIT_DRAWN : fail(s, &e);
+}
+
+static int draw_range(settings *s, const job *j, page_range range, unsigned count)
+{
+    int status = EXIT_DRAWN;
+    if (range.last == PAGES_TO_THE_END)
+        range.last = count > range.first ? count : range.first; /* a first page that is not there is an error */
+    for (unsigned page = range.first; status == EXIT_DRAWN && page <= range.last; page++)
+        status = draw(s, j, page);
+    return status;
+}
+
+/* The pages that are asked for, one after the other. */
+static int draw_pages(settings *s, const job *j)
+{
+    plb_error e = {PLB_OK, ""};
+    const char *list = s->pages;
+    if (!list)
+        return draw(s, j, 0);
+    unsigned count = j->several ? plb_file_pages(j->file, &s->o, &e) : 1;
+    if (!count)
+        return fail(s, &e);
+    if (j->several && count > 1 && !pages_has_number(j->to) && !is_text(s))
+        return wrong("several pages need a %d in the name of the output: -o page-%d.png");
+    int status = EXIT_DRAWN;
+    page_range range;
+    while (status == EXIT_DRAWN && pages_next(&list, &range))
+        status = draw_range(s, j, range, count);
+    return status;
+}
+
+static int work(settings *s, job *j)
+{
+    plb_error e = {PLB_OK, ""};
+    plb_profile *pencil = plb_profile_load(s->pencil, &e);
+    s->o.profile = pencil;
+    j->file = pencil ? plb_file_load(j->input, &e) : NULL;
+    int status = j->file ? draw_pages(s, j) : fail(s, &e);
+    plb_file_free(j->file);
+    plb_profile_free(pencil);
+    return status;
+}
+
 /* Where the result goes when -o is absent: text dumps and what came by standard input to standard output. */
 static int run(settings *s, const char *input)
 {
-    bool is_text = s->dump == PLB_DUMP_LIST || s->dump == PLB_DUMP_STROKES;
-    char *made = s->output || is_text || !strcmp(input, "-") ? NULL : name_output(input);
-    const char *to = s->output ? s->output : made ? made : "-";
-    if (is_same_file(to, input)) {
-        free(made);
-        return wrong("the result would replace the drawing: name another file with -o");
-    }
-    if (!strcmp(to, "-") && !is_text && isatty(STDOUT_FILENO)) {
+    job j = {.input = input, .several = s->pages && !pages_is_one(s->pages)};
+    char *made = s->output || is_text(s) || !strcmp(input, "-") ? NULL : pages_name_output(input, j.several);
+    j.to = s->output ? s->output : made ? made : "-";
+    if (!strcmp(j.to, "-") && !is_text(s) && isatty(STDOUT_FILENO)) {
         free(made);
         return wrong("a picture does not belong on a terminal: name a file with -o");
     }
@@ -353,7 +416,7 @@ static int run(settings *s, const char *input)
     s->o.message = on_message;
     s->o.progress = !s->quiet && isatty(STDERR_FILENO) ? on_progress : NULL;
     s->o.closure = s;
-    int status = draw(s, input, to);
+    int status = work(s, &j);
     free(made);
     return status;
 }

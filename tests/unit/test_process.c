@@ -19,7 +19,7 @@ static bool run(process *p, char *script, const char *input, size_t size, size_t
     char *argv[] = {shell, option, script, NULL};
     error err = {0};
     *bytes = 0;
-    if (!plb_process_start(p, "/bin/sh", argv, input, size, &err))
+    if (!plb_process_start(p, "/bin/sh", argv, input, size, NULL, &err))
         return false;
     const char *data;
     size_t n;
@@ -91,7 +91,7 @@ static void stopped_early_is_killed(void)
     error err = {0};
     const char *data;
     size_t n;
-    CHECK(plb_process_start(&p, "/bin/sh", argv, "", 0, &err));
+    CHECK(plb_process_start(&p, "/bin/sh", argv, "", 0, NULL, &err));
     CHECK(plb_process_read(&p, &data, &n) && n > 0);
     plb_process_finish(&p);
     CHECK(p.end != PROCESS_RUNNING);
@@ -135,7 +135,7 @@ static void missing_programs(void)
     error none = {0};
     const char *data;
     size_t n;
-    CHECK(plb_process_start(&p, "/nonexistent/program", argv, "", 0, &none));
+    CHECK(plb_process_start(&p, "/nonexistent/program", argv, "", 0, NULL, &none));
     CHECK(!plb_process_read(&p, &data, &n));
     plb_process_finish(&p);
     CHECK(p.end == PROCESS_EXITED && p.code == 127);

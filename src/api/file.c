@@ -1,0 +1,92 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Files in memory and the pages in them.
+ */
+#include "api/drawing.h"
+
+#include "base/array.h"
+
+#include <string.h>
+
+struct plb_file {
+    char *name; /* as messages show it */
+    char *data;
+    size_t size;
+};
+
+static bool load(plb_file *f, const char *name, error *err)
+{
+    const char *shown = strcmp(name, "-") ? name : "standard input";
+    f->name = plb_new(strlen(shown) + 1, 1);
+    if (!f->name)
+        return plb_fail_memory(err);
+    strcpy(f->name, shown);
+    return plb_input_load(name, &f->data, &f->size, err);
+}
+
+static plb_file *load_file(const char *name, error *err)
+{
+    plb_file *f = plb_new(1, sizeof *f);
+    if (!f)
+        plb_fail_memory(err);
+    if (f && load(f, name, err))
+        return f;
+    plb_file_free(f);
+    return NULL;
+}
+
+plb_file *plb_file_load(const char *name, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    plb_file *f = load_file(name, &err);
+    plb_api_finish(&err, failed);
+    return f;
+}
+
+void plb_file_free(plb_file *f)
+{
+    if (!f)
+        return;
+    plb_free(f->name);
+    plb_free(f->data);
+    plb_free(f);
+}
+
+static input_source source_of(const plb_file *f, const plb_options *o, const api_adaptor *adaptor)
+{
+    return (input_source){.name = f->name, .data = f->data, .size = f->size, .helper_dir = o->helper_dir,
+                          .say = plb_api_messenger(adaptor), .page = o->page,
+                          .limits = {o->limit_time, (size_t)o->limit_memory << 20}};
+}
+
+unsigned plb_file_pages(const plb_file *f, const plb_options *o, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    unsigned pages = 0;
+    api_adaptor adaptor = {o->message, o->closure};
+    input_source in = source_of(f, o, &adaptor);
+    if (!plb_api_check(o, &err) || !plb_input_count_pages(&in, &pages, &err))
+        pages = 0;
+    plb_api_finish(&err, failed);
+    return pages;
+}
+
+plb_drawing *plb_file_draw(const plb_file *f, const plb_options *o, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    api_adaptor adaptor = {o->message, o->closure};
+    input_source in = source_of(f, o, &adaptor);
+    plb_drawing *d = plb_api_check(o, &err) ? plb_api_draw(&in, o, &err) : NULL;
+    plb_api_finish(&err, failed);
+    return d;
+}
+
+plb_drawing *plb_drawing_load(const char *file, const plb_options *o, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    plb_file *f = plb_api_check(o, &err) ? load_file(file, &err) : NULL;
+    plb_api_finish(&err, failed);
+    plb_drawing *d = f ? plb_file_draw(f, o, failed) : NULL;
+    plb_file_free(f);
+    return d;
+}

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * See reader.h.
+ */
+#include "input/reader.h"
+
+#include <string.h>
+
+static bool ran_out_of_memory(const process *p)
+{
+    static const char *const words[] = {"memory allocation of", "failed to allocate", "ut of memory", "VMerror", NULL};
+    for (int i = 0; words[i]; i++)
+        if (strstr(p->message, words[i]))
+            return true;
+    return false;
+}
+
+bool plb_reader_ended_by_itself(const input_source *in, const char *who, const process *p, error *err)
+{
+    if (p->end == PROCESS_TIMED_OUT)
+        return plb_fail(err, ERROR_LIMIT, "%s: %s needs more than %g seconds for this drawing", in->name, who, p->limits.seconds);
+    if (p->end == PROCESS_CRASHED && ran_out_of_memory(p))
+        return plb_fail(err, ERROR_LIMIT, "%s: %s needs more than %zu MB for this drawing", in->name, who, p->limits.memory >> 20);
+    if (p->end == PROCESS_CRASHED)
+        return plb_fail(err, ERROR_HELPER, "%s: %s dies on this drawing (signal %d)", in->name, who, p->code);
+    return true;
+}
+
+const char *plb_reader_message(process *p)
+{
+    char *text = p->message;
+    text[strcspn(text, "\n")] = '\0';
+    size_t n = strlen(text);
+    while (n && text[n - 1] == ' ')
+        text[--n] = '\0';
+    for (; *text; text++)
+        if (*text < ' ' || *text > '~')
+            *text = '?';
+    return p->message;
+}
+
+bool plb_reader_run(const input_source *in, const char *who, const char *program, char *const argv[], process *p,
+                    reader_bytes *out, error *err)
+{
+    error why = {0};
+    if (!plb_process_start(p, program, argv, in->data, in->size, &in->limits, &why))
+        return plb_fail(err, why.kind, "%s: %s", in->name, why.text);
+    const char *data;
+    size_t n;
+    while (why.kind == ERROR_NONE && plb_process_read(p, &data, &n)) {
+        if (out->n + n > INPUT_MAX_BYTES)
+            plb_fail(&why, ERROR_LIMIT, "%s writes more than %zu MB for this drawing", who, INPUT_MAX_BYTES >> 20);
+        else if (!array_reserve(out, n))
+            plb_fail_memory(&why);
+        else
+            memcpy(out->v + out->n, data, n), out->n += n;
+    }
+    plb_process_finish(p);
+    if (why.kind)
+        return plb_fail(err, why.kind, "%s: %s", in->name, why.text);
+    return plb_reader_ended_by_itself(in, who, p, err);
+}

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Foreign programs that turn one format into another: bytes in, bytes out, and a reason when they fail.
+ */
+#ifndef PLB_INPUT_READER_H
+#define PLB_INPUT_READER_H
+
+#include "base/array.h"
+#include "input/input.h"
+#include "input/process.h"
+
+typedef ARRAY(char) reader_bytes;
+
+/* Runs argv[0..] of the program at `path` on in->data and collects what it writes, at most INPUT_MAX_BYTES. True when
+ * it could be started and its output collected; how it ended stands in p->end, p->code, p->message (the process is
+ * finished, not to be finished again). False and `err` ("NAME: what") when it could not, or ran out of time or memory,
+ * or died; `who` names it there. The caller frees the bytes in every case. */
+bool plb_reader_run(const input_source *in, const char *who, const char *program, char *const argv[], process *p,
+                    reader_bytes *out, error *err);
+
+/* Fills `err` when the process ran out of time or memory, or crashed; else true. */
+bool plb_reader_ended_by_itself(const input_source *in, const char *who, const process *p, error *err);
+
+/* The first line of a program's message, without what is not printable; a string in p->message. */
+const char *plb_reader_message(process *p);
+
+#endif

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * See pages.h.
+ */
+#include "tool/pages.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* No document has more; numbers above are mistakes. */
+#define MOST_PAGES 1000000u
+
+static bool take_page(const char **at, unsigned *page)
+{
+    unsigned n = 0;
+    for (; **at >= '0' && **at <= '9' && n <= MOST_PAGES; ++*at)
+        n = n * 10 + (unsigned)(**at - '0');
+    *page = n;
+    return n >= 1 && n <= MOST_PAGES;
+}
+
+bool pages_next(const char **list, page_range *range)
+{
+    const char *at = *list;
+    if (!strncmp(at, "all", 3)) {
+        *range = (page_range){1, PAGES_TO_THE_END};
+        at += 3;
+    } else {
+        if (!take_page(&at, &range->first))
+            return false;
+        range->last = range->first;
+        if (*at == '-') {
+            at++;
+            range->last = PAGES_TO_THE_END;
+            if (*at >= '0' && *at <= '9' && (!take_page(&at, &range->last) || range->last < range->first))
+                return false;
+        }
+    }
+    if (*at && (*at != ',' || !at[1]))
+        return false;
+    *list = at + (*at == ',');
+    return true;
+}
+
+bool pages_is_one(const char *list)
+{
+    page_range range;
+    return pages_next(&list, &range) && range.first == range.last && !*list;
+}
+
+/* The first %d or %0Nd, N one digit: where it starts, how long it is, and N; NULL: none. */
+static const char *find_number(const char *name, size_t *length, int *digits)
+{
+    for (const char *p = name; (p = strchr(p, '%')); p++) {
+        bool padded = p[1] == '0' && p[2] >= '1' && p[2] <= '9';
+        *length = padded ? 4 : 2;
+        *digits = padded ? p[2] - '0' : 1;
+        if (p[*length - 1] == 'd')
+            return p;
+    }
+    return NULL;
+}
+
+bool pages_has_number(const char *name)
+{
+    size_t length;
+    int digits;
+    return find_number(name, &length, &digits) != NULL;
+}
+
+char *pages_name(const char *name, unsigned page)
+{
+    size_t length = 0, room = strlen(name) + 16;
+    int digits = 1;
+    const char *at = find_number(name, &length, &digits);
+    char *made = malloc(room);
+    if (made && at)
+        snprintf(made, room, "%.*s%0*u%s", (int)(at - name), name, digits, page, at + length);
+    else if (made)
+        strcpy(made, name);
+    return made;
+}
+
+char *pages_name_output(const char *input, bool numbered)
+{
+    const char *slash = strrchr(input, '/'), *base = slash ? slash + 1 : input;
+    const char *dot = strrchr(base, '.');
+    size_t stem = dot && dot > base ? (size_t)(dot - input) : strlen(input), room = stem + 8;
+    char *name = malloc(room);
+    if (name)
+        snprintf(name, room, "%.*s%s.png", (int)stem, input, numbered ? "-%d" : "");
+    return name;
+}
