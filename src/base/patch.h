@@ -14,6 +14,8 @@
 typedef struct {
     int x, y;          /* page pixel of grey[0]; may lie outside the page */
     int width, height; /* 1 to PATCH_SIDE */
+    /* Columns [from, to) of each row may hold graphite; none when to is not beyond from. */
+    uint8_t from[PATCH_SIDE], to[PATCH_SIDE];
     /* Row by row, `width` a row. 255: no graphite; lower: darker. On a scale where the profile's paper is 255. */
     uint8_t grey[PATCH_SIDE * PATCH_SIDE];
 } patch;

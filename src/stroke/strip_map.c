@@ -18,11 +18,30 @@
 #include <math.h>
 #include <string.h>
 
-/* A patch is handed on when its bounds pass this many pixels (chosen by measurement: a diagonal's patches stay
- * mostly line, a level line's patches long). */
+/* A patch is handed on when its bounds pass this many pixels, where samples are taken one by one. */
 #define PATCH_AREA 2400
 /* At most this many samples a page pixel in each direction: enough for 300 dpi pencils at 37 dpi. */
 #define MOST_SAMPLES 8
+/* Pieces that wait until it is known how far their patch reaches. */
+#define MOST_WAITING 32
+/* Neighbouring pieces become one where the path strays from it by no more than this, page pixels (a tenth of a pixel is
+ * not seen; pieces get twice as long). */
+#define STRAY 0.1
+/* … and such a piece is no longer than this, page pixels: its bounds should not be much wider than the stroke. */
+#define LONGEST_PIECE 48.0
+
+/* Page pixels [x0, x1) × [y0, y1); empty when x1 <= x0. */
+typedef struct {
+    int x0, y0, x1, y1;
+} pixel_box;
+
+/* A piece of the path in page pixels. */
+typedef struct {
+    point p0, p1, b0, b1, t;
+    double length, s0; /* s0 in strip pixels */
+    double left, right; /* how far it reaches to either side, page pixels */
+    pixel_box in;             /* page pixels it may touch */
+} piece;
 
 typedef struct {
     const shading *s;
@@ -32,51 +51,101 @@ typedef struct {
     double half_width;    /* page pixels */
     int top, foot;        /* rows wanted */
     patch p;
-    int x1, y1;           /* the patch covers [p.x, x1) × [p.y, y1); empty when x1 <= p.x */
+    pixel_box in;               /* what the patch covers */
+    piece waiting[MOST_WAITING];
+    int n;                /* of them */
+    pixel_box wait;             /* what they cover */
     uint8_t *fine;        /* darkness of each sample, `stride` a row; where pieces meet again in a tight bend, the darker */
     size_t stride;
     uint8_t *kept;        /* room for samples of pixels that the next patch will go on with */
+    uint32_t divisor;     /* 2^18 / samples^2, rounded up: exact for the sums there are */
     patch_sink sink;
     void *closure;
 } mapper;
 
-/* A piece of the path in page pixels. */
-typedef struct {
-    point p0, p1, b0, b1, t;
-    double length, s0; /* s0 in strip pixels */
-    double left, right; /* how far it reaches to either side, page pixels */
-    int x0, y0, x1, y1; /* page pixels it may touch */
-} piece;
-
-/* The mean of a pixel's samples, as grey. */
-static uint8_t resolve(const mapper *m, int x, int y)
+static pixel_box unite(pixel_box a, pixel_box b)
 {
-    const uint8_t *from = m->fine + (size_t)(y * m->samples) * m->stride + (size_t)(x * m->samples);
-    if (m->samples == 1)
-        return (uint8_t)(255 - *from);
-    int sum = 0, n = m->samples * m->samples;
-    for (int j = 0; j < m->samples; j++, from += m->stride)
-        for (int i = 0; i < m->samples; i++)
-            sum += from[i];
-    return (uint8_t)(255 - (sum + n / 2) / n);
+    return (pixel_box){a.x0 < b.x0 ? a.x0 : b.x0, a.y0 < b.y0 ? a.y0 : b.y0, a.x1 > b.x1 ? a.x1 : b.x1, a.y1 > b.y1 ? a.y1 : b.y1};
+}
+
+static pixel_box intersect(pixel_box a, pixel_box b)
+{
+    return (pixel_box){a.x0 > b.x0 ? a.x0 : b.x0, a.y0 > b.y0 ? a.y0 : b.y0, a.x1 < b.x1 ? a.x1 : b.x1, a.y1 < b.y1 ? a.y1 : b.y1};
+}
+
+static uint8_t *samples_at(const mapper *m, int x, int y)
+{
+    return m->fine + (size_t)((y - m->in.y0) * m->samples) * m->stride + (size_t)((x - m->in.x0) * m->samples);
+}
+
+/* ---- from samples to the patch ---- */
+
+/* To the right and down. */
+static void grow_patch(mapper *m, pixel_box in)
+{
+    for (int y = m->in.y1 - m->in.y0; y < in.y1 - in.y0; y++) {
+        m->p.from[y] = PATCH_SIDE;
+        m->p.to[y] = 0;
+    }
+    m->in = in;
+}
+
+static void begin_patch(mapper *m, pixel_box in)
+{
+    m->in = (pixel_box){in.x0, in.y0, in.x0, in.y0};
+    grow_patch(m, in);
+}
+
+/* Columns x0 to x1 of a row of the patch have samples. */
+static void mark(mapper *m, int row, int x0, int x1)
+{
+    m->p.from[row] = (uint8_t)(x0 < m->p.from[row] ? x0 : m->p.from[row]);
+    m->p.to[row] = (uint8_t)(x1 > m->p.to[row] ? x1 : m->p.to[row]);
+}
+
+/* The means of the pixels' samples, as grey; row y of the patch, and clears the samples. */
+static void resolve(mapper *m, int y, uint8_t *grey)
+{
+    int x0 = m->p.from[y], x1 = m->p.to[y], n = m->samples;
+    uint8_t *from = m->fine + (size_t)(y * n) * m->stride + (size_t)(x0 * n);
+    if (n == 1) {
+        for (int x = 0; x < x1 - x0; x++)
+            grey[x0 + x] = (uint8_t)(255 - from[x]);
+        memset(from, 0, (size_t)(x1 - x0));
+        return;
+    }
+    uint16_t column[PATCH_SIDE * MOST_SAMPLES];
+    int width = (x1 - x0) * n;
+    memset(column, 0, (size_t)width * sizeof *column);
+    for (int j = 0; j < n; j++, from += m->stride) {
+        for (int x = 0; x < width; x++)
+            column[x] = (uint16_t)(column[x] + from[x]);
+        memset(from, 0, (size_t)width);
+    }
+    for (int x = 0; x < x1 - x0; x++) {
+        uint32_t sum = (uint32_t)(n * n / 2);
+        for (int i = 0; i < n; i++)
+            sum += column[x * n + i];
+        grey[x0 + x] = (uint8_t)(255 - ((sum * m->divisor) >> 18));
+    }
 }
 
 static bool flush(mapper *m)
 {
-    bool ok = true;
-    int w = m->x1 - m->p.x, h = m->y1 - m->p.y;
-    if (w > 0 && h > 0 && m->p.y < m->foot && m->y1 > m->top) {
+    int w = m->in.x1 - m->in.x0, h = m->in.y1 - m->in.y0;
+    bool wanted = w > 0 && h > 0 && m->in.y0 < m->foot && m->in.y1 > m->top;
+    if (wanted) {
+        m->p.x = m->in.x0;
+        m->p.y = m->in.y0;
         m->p.width = w;
         m->p.height = h;
+        memset(m->p.grey, 255, (size_t)(w * h));
         for (int y = 0; y < h; y++)
-            for (int x = 0; x < w; x++)
-                m->p.grey[y * w + x] = resolve(m, x, y);
-        ok = m->sink(m->closure, &m->p);
-        for (int y = 0; y < h * m->samples; y++)
-            memset(m->fine + (size_t)y * m->stride, 0, (size_t)(w * m->samples));
+            if (m->p.from[y] < m->p.to[y])
+                resolve(m, y, m->p.grey + y * w);
     }
-    m->x1 = m->p.x = 0;
-    return ok;
+    m->in = (pixel_box){0};
+    return !wanted || m->sink(m->closure, &m->p);
 }
 
 static void move_samples(const mapper *m, uint8_t *to, const uint8_t *from, size_t to_stride, size_t from_stride, int width, int height)
@@ -85,140 +154,157 @@ static void move_samples(const mapper *m, uint8_t *to, const uint8_t *from, size
         memcpy(to + (size_t)y * to_stride, from + (size_t)y * from_stride, (size_t)(width * m->samples));
 }
 
-static uint8_t *samples_at(const mapper *m, int x, int y)
+/* Hands the patch on and begins the next, which will cover `next`. Pixels that have samples of both would be laid twice, each
+ * time too light: their samples go over into the new patch. */
+static bool begin_next(mapper *m, pixel_box next)
 {
-    return m->fine + (size_t)((y - m->p.y) * m->samples) * m->stride + (size_t)((x - m->p.x) * m->samples);
-}
-
-/* Hands the patch on and begins the next at the piece. Pixels that have samples of both would be laid twice, each time too
- * light: their samples go over into the new patch. */
-static bool begin_next(mapper *m, const piece *k)
-{
-    int x0 = k->x0 > m->p.x ? k->x0 : m->p.x, y0 = k->y0 > m->p.y ? k->y0 : m->p.y;
-    int w = (k->x1 < m->x1 ? k->x1 : m->x1) - x0, h = (k->y1 < m->y1 ? k->y1 : m->y1) - y0;
+    pixel_box both = intersect(next, m->in);
+    int w = both.x1 - both.x0, h = both.y1 - both.y0;
     bool keep = m->samples > 1 && w > 0 && h > 0;
     size_t row = keep ? (size_t)(w * m->samples) : 0;
     if (keep) {
-        move_samples(m, m->kept, samples_at(m, x0, y0), row, m->stride, w, h);
+        move_samples(m, m->kept, samples_at(m, both.x0, both.y0), row, m->stride, w, h);
         for (int y = 0; y < h * m->samples; y++)
-            memset(samples_at(m, x0, y0) + (size_t)y * m->stride, 0, row);
+            memset(samples_at(m, both.x0, both.y0) + (size_t)y * m->stride, 0, row);
     }
     if (!flush(m))
         return false;
-    m->p.x = k->x0;
-    m->p.y = k->y0;
-    m->x1 = k->x1;
-    m->y1 = k->y1;
+    begin_patch(m, next);
+    for (int y = both.y0; keep && y < both.y1; y++)
+        mark(m, y - next.y0, both.x0 - next.x0, both.x1 - next.x0);
     if (keep)
-        move_samples(m, samples_at(m, x0, y0), m->kept, m->stride, row, w, h);
+        move_samples(m, samples_at(m, both.x0, both.y0), m->kept, m->stride, row, w, h);
     return true;
 }
 
-/* Makes room in the patch for the piece; false when the sink stops. */
-static bool make_room(mapper *m, const piece *k)
+/* ---- from pieces to samples ---- */
+
+/* The x of a row where c + x step >= 0, for c in turn. */
+typedef struct {
+    double step, inverse;
+} half_plane;
+
+static half_plane half_plane_of(double step)
 {
-    if (m->x1 <= m->p.x)
-        return begin_next(m, k);
-    int x0 = k->x0 < m->p.x ? k->x0 : m->p.x, y0 = k->y0 < m->p.y ? k->y0 : m->p.y;
-    int x1 = k->x1 > m->x1 ? k->x1 : m->x1, y1 = k->y1 > m->y1 ? k->y1 : m->y1;
-    bool fits = x0 == m->p.x && y0 == m->p.y && x1 - x0 <= PATCH_SIDE && y1 - y0 <= PATCH_SIDE && (x1 - x0) * (y1 - y0) <= PATCH_AREA;
-    if (!fits)
-        return begin_next(m, k);
-    m->x1 = x1;
-    m->y1 = y1;
-    return true;
+    return (half_plane){step, step != 0 ? 1 / step : 0};
 }
 
-/* Narrows [*low, *high] to the x where c0 + c1 x >= 0. */
-static void narrow(double c0, double c1, double *low, double *high)
+/* Narrows [*low, *high] to it. */
+static void narrow(double c, half_plane p, double *low, double *high)
 {
-    if (c1 > 0 && -c0 / c1 > *low)
-        *low = -c0 / c1;
-    else if (c1 < 0 && -c0 / c1 < *high)
-        *high = -c0 / c1;
-    else if (c1 == 0 && c0 < 0)
+    double x = -c * p.inverse;
+    if (p.step > 0)
+        *low = x > *low ? x : *low;
+    else if (p.step < 0)
+        *high = x < *high ? x : *high;
+    else if (c < 0)
         *high = *low - 1;
 }
 
-/* A row of samples of one piece: the quantities of the banner at sample 0, and their steps. */
+/* What the rows of a piece share. */
 typedef struct {
     const piece *k;
-    double step, a, b, u, us; /* step: page px from sample to sample */
-    double x, y;              /* of sample 0, page px */
+    double step, us; /* from sample to sample: page px, and across */
+    double x;        /* of sample 0, page px */
+    half_plane begin, end, left, right;
+} piece_frame;
+
+/* A row of samples: the quantities of the banner at sample 0. */
+typedef struct {
+    const piece_frame *f;
+    double a, b, u, y;
 } row_frame;
 
 static double row_a(const row_frame *r, int i)
 {
-    return r->a + i * r->k->b0.x * r->step;
+    return r->a + i * r->f->k->b0.x * r->f->step;
 }
 
 static double row_b(const row_frame *r, int i)
 {
-    return r->b + i * r->k->b1.x * r->step;
+    return r->b + i * r->f->k->b1.x * r->f->step;
 }
 
 static bool is_in_piece(const row_frame *r, int i)
 {
-    double u = r->u + i * r->us;
-    return !(row_a(r, i) < 0 || row_b(r, i) >= 0 || u > r->k->right || u < -r->k->left);
+    double u = r->u + i * r->f->us;
+    return !(row_a(r, i) < 0 || row_b(r, i) >= 0 || u > r->f->k->right || u < -r->f->k->left);
 }
 
 static double row_along(const mapper *m, const row_frame *r, int i)
 {
     double a = row_a(r, i), b = row_b(r, i);
-    return r->k->s0 + r->k->length * m->strip_px * a / (a - b);
+    return r->f->k->s0 + r->f->k->length * m->strip_px * a / (a - b);
 }
 
 /* Samples first to last, all within the piece: `along` is taken to run evenly between them, as it does on straight lines
- * and nearly on others. */
-static void shade_run(const mapper *m, const row_frame *r, int first, int last, uint8_t *to)
+ * and nearly on others. Into `to`, where nothing is yet, or else darker. */
+static void shade_run(const mapper *m, const row_frame *r, int first, int last, bool blank, uint8_t *to)
 {
+    const piece_frame *f = r->f;
     uint8_t dark[PATCH_SIDE * MOST_SAMPLES];
     double along = row_along(m, r, first), mm = m->page_mm;
-    sample_row at = {last - first + 1, along, 0, (r->u + first * r->us) * m->strip_px, r->us * m->strip_px,
-                     (r->x + first * r->step) * mm, r->y * mm, r->step * mm};
+    sample_row at = {last - first + 1, along, 0, (r->u + first * f->us) * m->strip_px, f->us * m->strip_px,
+                     (f->x + first * f->step) * mm, r->y * mm, f->step * mm};
     if (last > first)
         at.along_step = (row_along(m, r, last) - along) / (last - first);
-    m->s->row(m->s->texture, &at, dark);
-    for (int i = 0; i < at.n; i++)
+    m->s->row(m->s->texture, &at, blank ? to + first : dark);
+    for (int i = 0; !blank && i < at.n; i++)
         to[first + i] = dark[i] > to[first + i] ? dark[i] : to[first + i];
 }
 
-static void shade_one_by_one(const mapper *m, const row_frame *r, int first, int last, uint8_t *to)
+/* Samples first to last of a row of the piece into the patch. */
+static void shade(mapper *m, const row_frame *r, int row, int first, int last, uint8_t *to)
 {
+    int x = r->f->k->in.x0 - m->in.x0, n = m->samples, x0 = x + first / n, x1 = x + last / n + 1, y = row / n;
+    bool blank = x1 <= m->p.from[y] || x0 >= m->p.to[y];
+    mark(m, y, x0, x1);
+    if (!m->s->one_by_one) {
+        shade_run(m, r, first, last, blank, to);
+        return;
+    }
     for (int i = first; i <= last; i++)
         if (is_in_piece(r, i))
-            shade_run(m, r, i, i, to);
+            shade_run(m, r, i, i, false, to);
 }
 
-/* One row of samples of one piece, at height y (page pixels). */
-static void map_row(const mapper *m, const piece *k, double y, uint8_t *to)
+/* One row of samples of one piece, at height y (page pixels): row number `row` of the patch. */
+static void map_row(mapper *m, const piece_frame *f, double y, int row)
 {
-    double step = 1.0 / m->samples, x = k->x0 + step / 2;
-    row_frame r = {.k = k, .step = step, .us = -k->t.y * step, .x = x, .y = y};
+    const piece *k = f->k;
     double dy0 = y - k->p0.y, dy1 = y - k->p1.y;
-    r.a = (x - k->p0.x) * k->b0.x + dy0 * k->b0.y;
-    r.b = (x - k->p1.x) * k->b1.x + dy1 * k->b1.y;
-    r.u = k->t.x * dy0 - k->t.y * (x - k->p0.x);
-    double low = -0.5, high = (double)(k->x1 - k->x0) * m->samples - 0.5;
-    narrow(r.a, k->b0.x * step, &low, &high);
-    narrow(-r.b, -k->b1.x * step, &low, &high);
-    narrow(k->left + r.u, r.us, &low, &high);
-    narrow(k->right - r.u, -r.us, &low, &high);
+    row_frame r = {.f = f, .y = y};
+    r.a = (f->x - k->p0.x) * k->b0.x + dy0 * k->b0.y;
+    r.b = (f->x - k->p1.x) * k->b1.x + dy1 * k->b1.y;
+    r.u = k->t.x * dy0 - k->t.y * (f->x - k->p0.x);
+    double low = -0.5, high = (double)(k->in.x1 - k->in.x0) * m->samples - 0.5;
+    narrow(r.a, f->begin, &low, &high);
+    narrow(-r.b, f->end, &low, &high);
+    narrow(k->left + r.u, f->left, &low, &high);
+    narrow(k->right - r.u, f->right, &low, &high);
     if (!(low <= high)) /* and so both fit an int */
         return;
     int first = low < 0 ? 0 : (int)ceil(low - 1e-9), last = (int)floor(high + 1e-9);
-    if (m->s->one_by_one) {
-        shade_one_by_one(m, &r, first, last, to);
-        return;
-    }
     while (first <= last && !is_in_piece(&r, first))
         first++;
     while (first <= last && !is_in_piece(&r, last))
         last--;
     if (first <= last)
-        shade_run(m, &r, first, last, to);
+        shade(m, &r, row, first, last, m->fine + (size_t)row * m->stride + (size_t)((k->in.x0 - m->in.x0) * m->samples));
 }
+
+/* The piece's samples into the patch, which covers it. */
+static void map_piece(mapper *m, const piece *k)
+{
+    double step = 1.0 / m->samples, us = -k->t.y * step;
+    piece_frame f = {k, step, us, k->in.x0 + step / 2, half_plane_of(k->b0.x * step), half_plane_of(-k->b1.x * step), half_plane_of(us),
+                     half_plane_of(-us)};
+    int from = k->in.y0 < m->top ? m->top : k->in.y0, to = k->in.y1 > m->foot ? m->foot : k->in.y1;
+    for (int j = (from - k->in.y0) * m->samples; j < (to - k->in.y0) * m->samples; j++)
+        map_row(m, &f, k->in.y0 + (j + 0.5) / m->samples, (k->in.y0 - m->in.y0) * m->samples + j);
+}
+
+/* ---- from the path to pieces ---- */
 
 static int clamp_pixel(double v)
 {
@@ -260,39 +346,98 @@ static piece piece_of(const mapper *m, const path_sample *from, const path_sampl
     }
     set_reach(&k, m->half_width);
     double r = m->half_width + 1;
-    k.x0 = clamp_pixel(floor(fmin(k.p0.x, k.p1.x) - r));
-    k.y0 = clamp_pixel(floor(fmin(k.p0.y, k.p1.y) - r));
-    k.x1 = clamp_pixel(ceil(fmax(k.p0.x, k.p1.x) + r));
-    k.y1 = clamp_pixel(ceil(fmax(k.p0.y, k.p1.y) + r));
+    k.in.x0 = clamp_pixel(floor(fmin(k.p0.x, k.p1.x) - r));
+    k.in.y0 = clamp_pixel(floor(fmin(k.p0.y, k.p1.y) - r));
+    k.in.x1 = clamp_pixel(ceil(fmax(k.p0.x, k.p1.x) + r));
+    k.in.y1 = clamp_pixel(ceil(fmax(k.p0.y, k.p1.y) + r));
     return k;
 }
 
-/* A piece whose bounds do not fit a patch is mapped in windows. */
-static bool map_window(mapper *m, piece k)
+static bool fits(pixel_box b)
 {
-    if (!make_room(m, &k))
+    return b.x1 - b.x0 <= PATCH_SIDE && b.y1 - b.y0 <= PATCH_SIDE;
+}
+
+/* The papers' texture: each piece goes into the patch at once, which grows to the right and down only. */
+static bool add_at_once(mapper *m, const piece *k)
+{
+    pixel_box both = unite(m->in, k->in);
+    bool goes_on = m->in.x1 > m->in.x0 && both.x0 == m->in.x0 && both.y0 == m->in.y0 && fits(both) &&
+                   (both.x1 - both.x0) * (both.y1 - both.y0) <= PATCH_AREA;
+    if (!goes_on && !begin_next(m, k->in))
         return false;
-    int from = k.y0 < m->top ? m->top - k.y0 : 0, to = (k.y1 > m->foot ? m->foot : k.y1) - k.y0;
-    for (int j = from * m->samples; j < to * m->samples; j++) {
-        size_t row = (size_t)((k.y0 - m->p.y) * m->samples + j), column = (size_t)((k.x0 - m->p.x) * m->samples);
-        map_row(m, &k, k.y0 + (j + 0.5) / m->samples, m->fine + row * m->stride + column);
-    }
+    if (goes_on)
+        grow_patch(m, both);
+    map_piece(m, k);
     return true;
 }
 
-static bool map_piece(mapper *m, piece k)
+/* The pieces that wait become a patch. */
+static bool draw_waiting(mapper *m)
 {
-    for (int y = k.y0; y < k.y1; y += PATCH_SIDE)
-        for (int x = k.x0; x < k.x1; x += PATCH_SIDE) {
-            piece window = k;
-            window.x0 = x;
-            window.y0 = y;
-            window.x1 = x + PATCH_SIDE < k.x1 ? x + PATCH_SIDE : k.x1;
-            window.y1 = y + PATCH_SIDE < k.y1 ? y + PATCH_SIDE : k.y1;
-            if (!map_window(m, window))
+    if (m->n == 0)
+        return true;
+    if (!begin_next(m, m->wait))
+        return false;
+    for (int i = 0; i < m->n; i++)
+        map_piece(m, &m->waiting[i]);
+    m->n = 0;
+    return true;
+}
+
+static bool add_piece(mapper *m, const piece *k)
+{
+    if (m->s->one_by_one)
+        return add_at_once(m, k);
+    if (m->n > 0 && (m->n == MOST_WAITING || !fits(unite(m->wait, k->in))) && !draw_waiting(m))
+        return false;
+    m->wait = m->n ? unite(m->wait, k->in) : k->in;
+    m->waiting[m->n++] = *k;
+    return true;
+}
+
+/* A piece whose bounds do not fit a patch goes in windows. */
+static bool add_windows(mapper *m, piece k)
+{
+    pixel_box all = k.in;
+    for (int y = all.y0; y < all.y1; y += PATCH_SIDE)
+        for (int x = all.x0; x < all.x1; x += PATCH_SIDE) {
+            k.in = intersect(all, (pixel_box){x, y, x + PATCH_SIDE, y + PATCH_SIDE});
+            if (!add_piece(m, &k))
                 return false;
         }
     return true;
+}
+
+/* Whether the samples between number i and number j of the path lie close to the line from one to the other. */
+static bool is_straight(const path_sample *v, size_t i, size_t j, double stray)
+{
+    point d = point_sub(v[j].at, v[i].at);
+    double most = stray * plb_point_length(d);
+    for (size_t k = i + 1; k < j; k++)
+        if (fabs(point_cross(d, point_sub(v[k].at, v[i].at))) > most)
+            return false;
+    return true;
+}
+
+/* The sample that ends the piece which begins at sample i. */
+static size_t end_of_piece(const mapper *m, const path_samples *path, size_t i)
+{
+    size_t j = i + 1;
+    double longest = path->v[i].along + LONGEST_PIECE * m->page_mm;
+    while (!m->s->one_by_one && j + 1 < path->n && path->v[j + 1].along <= longest && is_straight(path->v, i, j + 1, STRAY * m->page_mm))
+        j++;
+    return j;
+}
+
+static bool add_path(mapper *m, const path_samples *path, bool closed, double px)
+{
+    for (size_t i = 0, j; i + 1 < path->n; i = j) {
+        j = end_of_piece(m, path, i);
+        if (!add_windows(m, piece_of(m, path->v + i, path->v + j, px, i == 0 && !closed, j + 1 == path->n && !closed)))
+            return false;
+    }
+    return draw_waiting(m) && flush(m);
 }
 
 /* Room for the samples of the largest patch, all zero; kept from stroke to stroke. */
@@ -314,19 +459,24 @@ bool plb_strip_map(const shading *s, const map_page *page, const path_samples *p
     shading within = *s;
     within.half_width = fmin(s->half_width, reach);
     within.beyond = fmin(s->beyond, reach);
-    mapper m = {.s = &within, .strip_px = s->dpi / page->dpi, .page_mm = MM_PER_INCH / page->dpi, .sink = sink, .closure = closure};
-    m.top = all ? INT_MIN : page->top;
-    m.foot = all ? INT_MAX : page->foot;
+    mapper m; /* large: not all of it is set here */
+    m.s = &within;
+    m.strip_px = s->dpi / page->dpi;
+    m.page_mm = MM_PER_INCH / page->dpi;
     double n = floor(m.strip_px + 0.5); /* as dense as the texture, nearly */
     m.samples = n < 1 ? 1 : n > MOST_SAMPLES ? MOST_SAMPLES : (int)n;
+    m.divisor = (uint32_t)(((1 << 18) + m.samples * m.samples - 1) / (m.samples * m.samples));
     m.half_width = within.half_width / m.strip_px;
+    m.top = all ? INT_MIN : page->top;
+    m.foot = all ? INT_MAX : page->foot;
+    m.in = m.wait = (pixel_box){0};
+    m.n = 0;
     m.stride = (size_t)(PATCH_SIDE * m.samples);
+    m.sink = sink;
+    m.closure = closure;
     if (!make_fine(room, m.stride))
         return false;
     m.fine = room->fine;
     m.kept = room->fine + m.stride * m.stride;
-    bool ok = true;
-    for (size_t i = 0; ok && i + 1 < path->n; i++)
-        ok = map_piece(&m, piece_of(&m, path->v + i, path->v + i + 1, px, i == 0 && !closed, i + 2 == path->n && !closed));
-    return ok && flush(&m);
+    return add_path(&m, path, closed, px);
 }

@@ -20,6 +20,9 @@
 /* Rows that one lock guards: threads seldom meet, and a patch takes one to three. */
 #define STRIPE 64
 
+/* A stroke's rows lie far apart in memory: each is asked for so many rows before it is needed. */
+#define AHEAD 8
+
 /* From the bounds, not from the darkest pixel ever scanned: that may be a speck of dust. */
 static int darkest_of(const profile *p)
 {
@@ -107,7 +110,6 @@ bool plb_page_next_band(page *p)
     return true;
 }
 
-/* Columns x0 to x1 of a row of the patch, which begins at column `left` of the page. */
 static void lay_row(const uint16_t deposit[256], const uint8_t *grey, uint16_t *to, int n)
 {
     for (int x = 0; x < n; x++) {
@@ -116,10 +118,17 @@ static void lay_row(const uint16_t deposit[256], const uint8_t *grey, uint16_t *
     }
 }
 
-/* Rows y0 to y1 of the page, all in one stripe, columns x0 to x1. */
-static void lay_rows(page *p, const patch *from, int x0, int x1, int y0, int y1)
+/* Rows y0 to y1 of the page, all in one stripe. */
+static void lay_rows(page *p, const patch *from, int y0, int y1)
 {
     for (int y = y0; y < y1; y++) {
+        if (y + AHEAD < y1)
+            __builtin_prefetch(row_of(p, y + AHEAD) + from->x + from->from[y + AHEAD - from->y], 1);
+        int x0 = from->x + from->from[y - from->y], x1 = from->x + from->to[y - from->y];
+        x0 = x0 < 0 ? 0 : x0;
+        x1 = x1 > p->width ? p->width : x1;
+        if (x0 >= x1)
+            continue;
         row_extent *e = &p->marked[y - p->top];
         e->from = x0 < e->from ? x0 : e->from;
         e->to = x1 > e->to ? x1 : e->to;
@@ -129,13 +138,12 @@ static void lay_rows(page *p, const patch *from, int x0, int x1, int y0, int y1)
 
 void plb_page_lay(page *p, const patch *from)
 {
-    int x0 = from->x < 0 ? 0 : from->x, x1 = from->x + from->width < p->width ? from->x + from->width : p->width;
     int foot = p->top + p->rows, y1 = from->y + from->height < foot ? from->y + from->height : foot;
-    for (int y = from->y < p->top ? p->top : from->y; y < y1 && x0 < x1;) {
+    for (int y = from->y < p->top ? p->top : from->y; y < y1;) {
         int stripe = (y - p->top) / STRIPE, end = p->top + (stripe + 1) * STRIPE;
         end = end < y1 ? end : y1;
         pthread_mutex_lock(&p->lock[stripe]);
-        lay_rows(p, from, x0, x1, y, end);
+        lay_rows(p, from, y, end);
         pthread_mutex_unlock(&p->lock[stripe]);
         y = end;
     }

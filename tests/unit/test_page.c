@@ -117,6 +117,7 @@ static void deposits_darken_and_saturate(void)
     CHECK(plb_page_init(&p, 8, 8, 8, &ink, NULL));
     static patch dot = {.x = -1, .y = 6, .width = 3, .height = 3};
     memset(dot.grey, 170, 9);
+    memset(dot.to, 3, 3);
     int before = 255;
     for (int k = 0; k < 50; k++) {
         plb_page_lay(&p, &dot);
@@ -142,6 +143,7 @@ static void order_does_not_matter(void)
     static patch patches[40];
     for (int k = 0; k < 40; k++) {
         patches[k] = (patch){.x = k, .y = 40 - k, .width = 20, .height = 20};
+        memset(patches[k].to, 20, 20);
         for (int i = 0; i < 400; i++)
             patches[k].grey[i] = (uint8_t)random_bits((uint64_t)k, (uint64_t)i);
     }
