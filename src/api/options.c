@@ -40,8 +40,8 @@ bool plb_api_check(const plb_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "the limits must be 1 to 1e6 seconds and 64 to 1e6 MiB");
     if (o->model > PLB_MODEL_GRAPHITE || o->arm > PLB_ARM_SPRING || o->background > PLB_BACKGROUND_NONE || o->handed > PLB_HAND_NONE)
         return plb_fail(err, ERROR_ARGUMENT, "there is no such model, arm, hand or background");
-    if (o->fill > PLB_FILL_NONE)
-        return plb_fail(err, ERROR_ARGUMENT, "there is no such way with fills");
+    if (o->fill > PLB_FILL_NONE || o->text > PLB_TEXT_NONE)
+        return plb_fail(err, ERROR_ARGUMENT, "there is no such way with fills or text");
     return true;
 }
 
@@ -53,7 +53,9 @@ static double width_of(const plb_options *o)
 plan_options plb_api_plan_options(const plb_options *o)
 {
     static const fill_style fills[] = {[PLB_FILL_HATCH] = FILL_HATCH, [PLB_FILL_OUTLINE] = FILL_OUTLINE, [PLB_FILL_NONE] = FILL_NONE};
+    static const text_style texts[] = {[PLB_TEXT_HAND] = TEXT_HAND, [PLB_TEXT_OUTLINE] = TEXT_OUTLINE, [PLB_TEXT_NONE] = TEXT_NONE};
     plan_options how = plb_plan_options_default();
+    how.text = texts[o->text];
     how.fill = fills[o->fill];
     how.pencil_width = width_of(o);
     how.seed = o->seed;

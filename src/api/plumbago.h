@@ -114,6 +114,12 @@ typedef enum {
     PLB_FILL_NONE     /* not at all */
 } plb_fill;
 
+typedef enum {
+    PLB_TEXT_HAND,    /* lettering, and other shapes as thin, is drawn stroke by stroke, as a hand writes */
+    PLB_TEXT_OUTLINE, /* as its outlines */
+    PLB_TEXT_NONE     /* not at all */
+} plb_text;
+
 /* Which hand draws: it has its own way with lines of each direction (plumbago(7)). */
 typedef enum { PLB_HAND_RIGHT, PLB_HAND_LEFT, PLB_HAND_NONE } plb_handed;
 
@@ -131,7 +137,8 @@ typedef struct {
     double dpi;                 /* pixels per inch of pictures; default 300, 10 to 4800 */
     double width, height;       /* size of the page, mm; 0: the drawing's own (one given: the other follows) */
     double scale;               /* factor on the drawing's own size; default 0: 1, or what fits A3 (DXF); not with width or height */
-    plb_fill fill;              /* what becomes of filled shapes; default outline */
+    plb_fill fill;              /* what becomes of filled shapes; default hatch */
+    plb_text text;              /* what becomes of lettering; default hand */
     plb_background background;  /* default white */
     int threads;                /* at most so many, up to 64; 0, the default: as many as there are processors */
     int compress;               /* how small files are made: 0, not, to 9; default 1 */

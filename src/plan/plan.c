@@ -11,6 +11,7 @@
 #include "plan/dash.h"
 #include "plan/hatch.h"
 #include "plan/hidden.h"
+#include "plan/letter.h"
 #include "plan/pass.h"
 #include "plan/track.h"
 #include "plan/weight.h"
@@ -36,6 +37,7 @@ typedef struct {
     const item *it; /* the one at work */
     size_t index;   /* its number */
     bool outlined;  /* a stroke follows its outline */
+    bool is_drawn;  /* the next one, too, by the one at work */
     hatcher hatcher;
 } planner;
 
@@ -131,8 +133,39 @@ static bool draw_outline(planner *p)
     return plb_plan_flatten(&p->it->path, true, add_line, p, p->err);
 }
 
+/* A shape that is filled and stroked is outlined once, by its stroke. */
+static bool is_outlined_by(const item *fill, const item *other)
+{
+    return fill->kind == ITEM_FILL && other->kind == ITEM_STROKE && plb_leaves_mark(other) && plb_path_equal(&fill->path, &other->path);
+}
+
+/* Lettering has its own pressure; the paint's comes on top. */
+static bool add_letter(void *closure, const track *t)
+{
+    planner *p = closure;
+    track touched = *t;
+    touched.touch.pressure *= touch_of(p).pressure;
+    touched.touch.colour = touch_of(p).colour;
+    return p->how->text != TEXT_HAND || add_mark(p, &touched);
+}
+
+/* The outline of a letter, stroked after it, is not drawn, too; one that was stroked before it is all that is drawn. */
+static bool draw_letters(planner *p, bool *taken)
+{
+    *taken = false;
+    if (p->index > 0 && is_outlined_by(p->it, p->it - 1))
+        return true;
+    if (!plb_plan_letter(p->it, p->how, taken, add_letter, p, p->err))
+        return false;
+    p->is_drawn = *taken && p->outlined && p->how->text != TEXT_OUTLINE; /* the stroke is the next item */
+    return !*taken || p->how->text != TEXT_OUTLINE || p->outlined || draw_outline(p);
+}
+
 static bool draw_fill(planner *p)
 {
+    bool is_letter;
+    if (!draw_letters(p, &is_letter) || is_letter)
+        return is_letter;
     bool outline = p->how->fill == FILL_OUTLINE;
     if (p->how->fill == FILL_HATCH && !plb_plan_hatch(&p->hatcher, p->it, touch_of(p).colour, &outline, add_mark, p, p->err))
         return false;
@@ -140,12 +173,6 @@ static bool draw_fill(planner *p)
 }
 
 /* ---- which items ---- */
-
-/* A shape that is filled and stroked is outlined once, by its stroke. */
-static bool is_outlined_by(const item *fill, const item *other)
-{
-    return fill->kind == ITEM_FILL && other->kind == ITEM_STROKE && plb_leaves_mark(other) && plb_path_equal(&fill->path, &other->path);
-}
 
 static bool is_outlined(const display_list *list, size_t i)
 {
@@ -157,7 +184,9 @@ static bool draw_item(planner *p, size_t i)
 {
     p->it = &p->list->items.v[i];
     p->index = i;
-    if (!plb_leaves_mark(p->it))
+    bool is_drawn = p->is_drawn;
+    p->is_drawn = false;
+    if (!plb_leaves_mark(p->it) || is_drawn)
         return true;
     p->outlined = is_outlined(p->list, i);
     return p->it->kind == ITEM_STROKE ? draw_line(p) : draw_fill(p);
@@ -174,7 +203,7 @@ static bool draw_items(planner *p)
 plan_options plb_plan_options_default(void)
 {
     static const tone_scale of_hb = {{.06, .13, .25, .38, .55, .68, .78}};
-    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_OUTLINE, .pencil_width = 0.35, .seed = 1};
+    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .seed = 1};
 }
 
 /* All strokes together. */

@@ -120,6 +120,11 @@ static bool set_fill(void *p, const char *v)
     int i;
     return choose(v, (const char *const[]){"hatch", "outline", "none"}, 3, &i) ? (((settings *)p)->o.fill = (plb_fill)i, true) : false;
 }
+static bool set_text(void *p, const char *v)
+{
+    int i;
+    return choose(v, (const char *const[]){"hand", "outline", "none"}, 3, &i) ? (((settings *)p)->o.text = (plb_text)i, true) : false;
+}
 static bool set_hand(void *p, const char *v)
 {
     int i;
@@ -203,6 +208,7 @@ static const option table[] = {
     {0, "arm", "hand|jerk|spring", "how the arm moves [hand; with --model hla: jerk]", set_arm},
     {0, NULL, NULL, "What is drawn", NULL},
     {0, "fill", "hatch|outline|none", "what becomes of filled shapes [hatch]", set_fill},
+    {0, "text", "hand|outline|none", "what becomes of lettering [hand]", set_text},
     {0, "hand", "right|left|none", "which hand draws; none: all directions alike [right]", set_hand},
     {0, NULL, NULL, "Work", NULL},
     {0, "threads", "N", "at most N threads, 1 to 64 [as many as processors]", set_threads},

@@ -109,6 +109,18 @@ draws "--fill none" --fill none -o fill-none.png fill.svg
 is "--fill none leaves the line" "$("$PLUMBAGO" --fill none --dump=strokes fill.svg | grep -c '^stroke ')" 1
 misused "--fill of another name" fill --fill gold fill.svg
 
+cat >text.svg <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="20mm" viewBox="0 0 40 20"><path d="M5 5h.4v4.6h2v.4h-2.4z"/>
+<path d="M10 5h3v.4h-1.3v4.6h-.4v-4.6h-1.3z"/><path d="M2 15H38" fill="none" stroke="#000" stroke-width=".3"/></svg>
+SVG
+draws "no --text" -o text.png text.svg
+draws "--text hand" --text hand -o text-hand.png text.svg
+same "hand is the default for text" text-hand.png text.png
+is "--text hand makes an L of two strokes and a T of two" "$("$PLUMBAGO" --text hand --dump=strokes text.svg | grep -c letter)" 4
+is "--text outline draws 6 sides and 8" "$("$PLUMBAGO" --text outline --dump=strokes text.svg | grep -c '^stroke ')" 15
+is "--text none leaves the line" "$("$PLUMBAGO" --text none --dump=strokes text.svg | grep -c '^stroke ')" 1
+misused "--text of another name" text --text gold text.svg
+
 draws "--hand right" --hand right -o right.png a.svg
 same "right is the default hand" right.png default.png
 draws "--hand left" --hand left -o left.png a.svg
@@ -145,7 +157,7 @@ is "-q keeps errors: one line" "$(wc -l <"$TMP/err")" 1
 # ---- wrong command lines ----
 misused "an unknown long option" "frobnicate" --frobnicate a.svg
 misused "an unknown short option" "Z" -Z a.svg
-for option in -o --output -p --pencil -d --dpi --width --height --scale -s --seed --squiggle --model --arm --fill --background; do
+for option in -o --output -p --pencil -d --dpi --width --height --scale -s --seed --squiggle --model --arm --fill --text --background; do
     misused "$option without an argument" "${option#--}" $option
 done
 misused "--version with an argument" "version" --version=3
