@@ -89,8 +89,8 @@ static const struct {
 } constants[] = {
     {"CLEAR", CONST_NO_INK},          {"DEST", CONST_NO_INK},           {"DEST_IN", CONST_NO_INK},
     {"DEST_OUT", CONST_NO_INK},       {"EVEN_ODD", CONST_EVEN_ODD},     {"EXTEND_NONE", CONST_EXTEND_NONE},
-    {"EXTEND_PAD", CONST_EXTEND_PAD}, {"LINE_CAP_BUTT", CONST_BUTT},    {"LINE_CAP_ROUND", CONST_ROUND},
-    {"LINE_CAP_SQUARE", CONST_SQUARE},
+    {"EXTEND_PAD", CONST_EXTEND_PAD}, {"EXTEND_REFLECT", CONST_EXTEND_REFLECT}, {"LINE_CAP_BUTT", CONST_BUTT},
+    {"LINE_CAP_ROUND", CONST_ROUND},  {"LINE_CAP_SQUARE", CONST_SQUARE},
 };
 
 static int constant_code(const char *text, size_t length)

@@ -67,6 +67,9 @@ static bool op_set_extend(script_state *s)
     script_pattern *p = code >= 0 ? plb_script_top(s, OBJECT_PATTERN) : NULL;
     if (p)
         p->repeats = code != CONST_EXTEND_NONE && code != CONST_EXTEND_PAD;
+    if (p && p->gradient)
+        p->gradient->extend = code == CONST_EXTEND_NONE ? GRADIENT_ENDS : code == CONST_EXTEND_PAD ? GRADIENT_PAD
+                            : code == CONST_EXTEND_REFLECT ? GRADIENT_REFLECT : GRADIENT_REPEAT;
     return p != NULL;
 }
 

@@ -185,22 +185,31 @@ static bool op_rgba(script_state *s)
 }
 
 /* A gradient without stops paints nothing. */
-static bool push_gradient(script_state *s)
+static bool push_gradient(script_state *s, gradient g)
 {
     script_pattern *p = plb_script_new_pattern(s, (paint){.kind = PAINT_GRADIENT});
-    return p && plb_script_push_object(s, &p->head);
+    if (!p || !plb_script_push_object(s, &p->head))
+        return false;
+    p->gradient = plb_new(1, sizeof *p->gradient);
+    if (!p->gradient)
+        return plb_fail_memory(s->err);
+    g.extend = GRADIENT_PAD; /* cairo's default */
+    g.opacity = 1;
+    *p->gradient = g;
+    return true;
 }
 
 static bool op_linear(script_state *s)
 {
     double v[4];
-    return plb_script_take(s, 4, v) && push_gradient(s);
+    return plb_script_take(s, 4, v) && push_gradient(s, (gradient){.from = {v[0], v[1]}, .to = {v[2], v[3]}});
 }
 
 static bool op_radial(script_state *s)
 {
     double v[6];
-    return plb_script_take(s, 6, v) && push_gradient(s);
+    return plb_script_take(s, 6, v) && push_gradient(s, (gradient){.radial = true, .from = {v[0], v[1]}, .from_radius = v[2],
+                                                                   .to = {v[3], v[4]}, .to_radius = v[5]});
 }
 
 static bool op_add_stop(script_state *s)
@@ -214,6 +223,8 @@ static bool op_add_stop(script_state *s)
     p->paint.blue += v[3];
     p->paint.alpha += v[4];
     p->stops++;
+    if (p->gradient)
+        plb_gradient_add_stop(p->gradient, (gradient_stop){v[0], (float)v[1], (float)v[2], (float)v[3], (float)v[4]});
     return true;
 }
 

@@ -73,6 +73,18 @@ static paint source_paint(const script_pattern *p)
     return colour;
 }
 
+/* The source's gradient, with its place on the surface's list. 0: none, or one that is squeezed flat. */
+static bool add_gradient(script_state *s, script_surface *f, const script_pattern *p, unsigned *index)
+{
+    matrix back;
+    *index = 0;
+    if (!p || !p->gradient || !plb_matrix_invert(f->to_list, &back))
+        return true;
+    gradient g = *p->gradient;
+    g.to_space = plb_matrix_multiply(back, p->matrix);
+    return plb_list_add_gradient(f->list, &g, index, s->err);
+}
+
 static bool is_group(const script_pattern *p)
 {
     return p && p->surface && !p->repeats;
@@ -126,6 +138,8 @@ static bool has_no_area(const path *p)
 static bool start_item(script_state *s, const script_context *c, item_kind kind, item *it)
 {
     *it = (item){.kind = kind, .paint = source_paint(c->source), .clip = c->clip};
+    if (!add_gradient(s, c->target, c->source, &it->gradient))
+        return false;
     if (!plb_path_append(&it->path, &c->path, c->target->to_list)) {
         plb_path_free(&it->path);
         return plb_fail_memory(s->err);
@@ -170,6 +184,20 @@ static bool splice_clips(script_state *s, script_surface *to, const display_list
     return true;
 }
 
+/* The group's gradient of an item in the target's list. */
+static bool splice_gradient(script_state *s, script_surface *to, const display_list *group, matrix m, double alpha, item *it)
+{
+    const gradient *from = plb_item_gradient(group, it);
+    matrix back;
+    it->gradient = 0;
+    if (!from || !plb_matrix_invert(m, &back))
+        return true;
+    gradient g = *from;
+    g.to_space = plb_matrix_multiply(back, from->to_space);
+    g.opacity *= alpha;
+    return plb_list_add_gradient(to->list, &g, &it->gradient, s->err);
+}
+
 static bool splice(script_state *s, const script_context *c, int outer, double alpha)
 {
     const script_surface *from = c->source->surface;
@@ -196,7 +224,10 @@ static bool splice(script_state *s, const script_context *c, int outer, double a
             break;
         it.clip = it.clip == NO_CLIP ? outer : where[it.clip];
         it.paint.alpha *= alpha;
-        ok = add_item(s, to, &it);
+        ok = splice_gradient(s, to, group, out, alpha, &it);
+        if (!ok)
+            plb_item_free(&it);
+        ok = ok && add_item(s, to, &it);
     }
     plb_free(where);
     return ok;
@@ -274,6 +305,14 @@ bool plb_script_paint(script_state *s, script_context *c, double alpha)
         return splice(s, c, c->clip, alpha);
     item it = {.kind = ITEM_FILL, .paint = source_paint(c->source), .clip = c->clip};
     it.paint.alpha *= alpha;
+    if (!add_gradient(s, c->target, c->source, &it.gradient))
+        return false;
+    if (it.gradient && alpha < 1) {
+        gradient g = c->target->list->gradients.v[it.gradient - 1];
+        g.opacity *= alpha;
+        if (!plb_list_add_gradient(c->target->list, &g, &it.gradient, s->err))
+            return false;
+    }
     if (!surface_box(s, c->target, &it.path)) {
         plb_item_free(&it);
         return plb_fail_memory(s->err);

@@ -71,6 +71,7 @@ void plb_script_release(script_state *s, script_object *o)
     } else if (o->kind == OBJECT_PATTERN) {
         script_pattern *p = (script_pattern *)o;
         plb_script_release(s, p->surface ? &p->surface->head : NULL);
+        plb_free(p->gradient);
     } else {
         script_context *c = (script_context *)o;
         plb_script_release(s, c->source ? &c->source->head : NULL);

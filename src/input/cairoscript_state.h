@@ -36,6 +36,7 @@ typedef struct {
     script_object head;
     paint paint;             /* solid colour; for gradients the sum over the stops */
     unsigned stops;
+    gradient *gradient;      /* own; NULL: none */
     script_surface *surface; /* counted; NULL for colours and gradients */
     matrix matrix;           /* from the user's space to the pattern's */
     bool repeats;
@@ -78,7 +79,7 @@ typedef struct {
 } script_value;
 
 /* What a //CONSTANT means to the operator that takes it. */
-enum { CONST_OTHER, CONST_BUTT, CONST_ROUND, CONST_SQUARE, CONST_EVEN_ODD, CONST_EXTEND_NONE, CONST_EXTEND_PAD, CONST_NO_INK };
+enum { CONST_OTHER, CONST_BUTT, CONST_ROUND, CONST_SQUARE, CONST_EVEN_ODD, CONST_EXTEND_NONE, CONST_EXTEND_PAD, CONST_EXTEND_REFLECT, CONST_NO_INK };
 
 /* What a /NAME means; /s12 is 12. */
 #define NAME_TARGET (-1)

@@ -30,6 +30,7 @@ void plb_list_free(display_list *list)
         plb_path_free(&list->clips.v[i].path);
     array_free(&list->items);
     array_free(&list->clips);
+    array_free(&list->gradients);
 }
 
 static bool is_on_earth(const path *p)
@@ -80,6 +81,10 @@ void plb_list_transform(display_list *list, matrix m)
     }
     for (size_t i = 0; i < list->clips.n; i++)
         plb_path_transform(&list->clips.v[i].path, m);
+    matrix back = MATRIX_IDENTITY;
+    plb_matrix_invert(m, &back);
+    for (size_t i = 0; i < list->gradients.n; i++)
+        list->gradients.v[i].to_space = plb_matrix_multiply(back, list->gradients.v[i].to_space);
 }
 
 box plb_list_bounds(const display_list *list)

@@ -22,6 +22,28 @@ typedef struct {
     double red, green, blue, alpha;
 } paint;
 
+/* How a gradient goes on beyond its ends. */
+typedef enum { GRADIENT_ENDS, GRADIENT_PAD, GRADIENT_REPEAT, GRADIENT_REFLECT } gradient_extend;
+
+typedef struct {
+    double offset; /* 0 to 1, not below the one before */
+    float red, green, blue, alpha;
+} gradient_stop;
+
+#define GRADIENT_MAX_STOPS 16 /* of more, the first and the last are kept */
+
+/* A colour for each place: between two points, or between two circles. */
+typedef struct {
+    bool radial;
+    gradient_extend extend;
+    unsigned n;             /* stops */
+    matrix to_space;        /* from mm on paper to the space of these: */
+    point from, to;         /* offsets 0 and 1; radial: the circles' centres */
+    double from_radius, to_radius;
+    double opacity;         /* of the whole, beside that of the stops */
+    gradient_stop stops[GRADIENT_MAX_STOPS];
+} gradient;
+
 #define NO_CLIP (-1)
 
 /* One clip path; what is visible lies inside it and inside its parent. */
@@ -35,6 +57,7 @@ typedef struct {
     item_kind kind;
     path path;      /* mm */
     paint paint;
+    unsigned gradient; /* with PAINT_GRADIENT: 1 + an index into gradients, or 0: only the mean colour is known */
     int clip;       /* index into clips, or NO_CLIP */
     bool even_odd;  /* fills: the rule */
     line_cap cap;   /* strokes, as the rest below */
@@ -47,6 +70,7 @@ typedef struct {
     double width, height; /* of the page, mm, finite and positive once a reader is done */
     ARRAY(item) items;
     ARRAY(clip) clips;
+    ARRAY(gradient) gradients;
     size_t points; /* of all paths together */
     double paper_scale; /* mm on paper per mm of the thing drawn, where the reader chose it (DXF); else 1 */
     /* What was met and left out, for messages. */
@@ -56,6 +80,7 @@ typedef struct {
 /* Limits on what a file may ask for; a reader stops with ERROR_LIMIT when one is passed. */
 #define LIST_MAX_ITEMS 4000000u
 #define LIST_MAX_POINTS 40000000u
+#define LIST_MAX_GRADIENTS 100000u
 
 void plb_list_init(display_list *list);
 void plb_list_free(display_list *list);
@@ -65,6 +90,8 @@ void plb_list_free(display_list *list);
 bool plb_list_add(display_list *list, item *it, error *err);
 /* Moves a clip path in and gives its index. */
 bool plb_list_add_clip(display_list *list, clip *c, int *index, error *err);
+/* Adds a gradient, unless it is the last one again, and gives 1 + its index, for item.gradient. */
+bool plb_list_add_gradient(display_list *list, const gradient *g, unsigned *index, error *err);
 void plb_item_free(item *it);
 /* All that lies on the page is mapped by `m` (line widths and dashes by its expansion). */
 void plb_list_transform(display_list *list, matrix m);
@@ -72,6 +99,13 @@ void plb_list_transform(display_list *list, matrix m);
 box plb_list_bounds(const display_list *list);
 /* Perceived lightness of a paint on white paper: 0 black to 1 white (Rec. 601 luma, alpha over white). */
 double plb_paint_lightness(paint p);
+
+/* The gradient that the item is painted with; NULL: none that is known. Borrowed. */
+const gradient *plb_item_gradient(const display_list *list, const item *it);
+/* Its paint at a place (mm), a solid one; alpha 0 where it paints nothing. */
+paint plb_gradient_at(const gradient *g, point mm);
+/* Adds a stop behind the others. */
+void plb_gradient_add_stop(gradient *g, gradient_stop stop);
 
 /* The text form, one item a line after a head line; plumbago(1), --dump=list. False on a write error. */
 bool plb_list_print(const display_list *list, FILE *to);

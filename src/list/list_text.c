@@ -3,6 +3,7 @@
  * The text forms of both lists, for people and for golden tests:
  *
  *     list WIDTH HEIGHT
+ *     gradient INDEX linear|radial ends|pad|repeat|reflect FROM TO OPACITY [OFFSET R G B A …]
  *     clip INDEX PARENT nonzero|evenodd PATH
  *     stroke CLIP colour R G B A width MM cap [dash ON OFF … @OFFSET] PATH
  *     fill CLIP colour R G B A nonzero|evenodd PATH
@@ -10,6 +11,8 @@
  *     strokes WIDTH HEIGHT
  *     stroke IDENTITY open|closed X Y X Y …
  *
+ * FROM and TO are X Y, on the page, and for radial ones a radius. Where an item's colour is a gradient that is known,
+ * `gradient@INDEX` stands in place of `colour`; R G B A is then the mean.
  * PATH is M X Y, L X Y, C X Y X Y X Y, Z; millimetres with three decimals.
  */
 #include "list/list.h"
@@ -45,10 +48,44 @@ static void print_path(FILE *to, const path *p)
     fputc('\n', to);
 }
 
-static void print_paint(FILE *to, paint p)
+/* Where the offsets 0 and 1 are on the page; a radius in its mean size. */
+static void print_ends(FILE *to, const gradient *g)
+{
+    matrix on_page = MATRIX_IDENTITY;
+    plb_matrix_invert(g->to_space, &on_page);
+    double f = plb_matrix_expansion(on_page);
+    print_point(to, plb_matrix_apply(on_page, g->from));
+    if (g->radial)
+        print_number(to, g->from_radius * f);
+    print_point(to, plb_matrix_apply(on_page, g->to));
+    if (g->radial)
+        print_number(to, g->to_radius * f);
+}
+
+static void print_gradient(FILE *to, size_t index, const gradient *g)
+{
+    static const char *const extends[] = {"ends", "pad", "repeat", "reflect"};
+    fprintf(to, "gradient %zu %s %s", index, g->radial ? "radial" : "linear", extends[g->extend]);
+    print_ends(to, g);
+    print_number(to, g->opacity);
+    for (unsigned i = 0; i < g->n; i++) {
+        const gradient_stop *s = &g->stops[i];
+        print_number(to, s->offset);
+        print_number(to, (double)s->red);
+        print_number(to, (double)s->green);
+        print_number(to, (double)s->blue);
+        print_number(to, (double)s->alpha);
+    }
+    fputc('\n', to);
+}
+
+static void print_paint(FILE *to, const item *it)
 {
     static const char *const kinds[] = {"colour", "gradient", "pattern"};
+    paint p = it->paint;
     fprintf(to, " %s", kinds[p.kind]);
+    if (p.kind == PAINT_GRADIENT && it->gradient)
+        fprintf(to, "@%u", it->gradient - 1);
     print_number(to, p.red);
     print_number(to, p.green);
     print_number(to, p.blue);
@@ -59,7 +96,7 @@ static void print_item(FILE *to, const item *it)
 {
     static const char *const caps[] = {"butt", "round", "square"};
     fprintf(to, "%s %d", it->kind == ITEM_FILL ? "fill" : "stroke", it->clip);
-    print_paint(to, it->paint);
+    print_paint(to, it);
     if (it->kind == ITEM_FILL) {
         fputs(it->even_odd ? " evenodd" : " nonzero", to);
     } else {
@@ -83,6 +120,8 @@ bool plb_list_print(const display_list *list, FILE *to)
     fputs("list", to);
     print_point(to, (point){list->width, list->height});
     fputc('\n', to);
+    for (size_t i = 0; i < list->gradients.n; i++)
+        print_gradient(to, i, &list->gradients.v[i]);
     for (size_t i = 0; i < list->clips.n; i++) {
         const clip *c = &list->clips.v[i];
         fprintf(to, "clip %zu %d %s", i, c->parent, c->even_odd ? "evenodd" : "nonzero");

@@ -386,16 +386,24 @@ static bool draw(RsvgHandle *svg, const page *p, bool by_style, bool no_text, ca
     return done && !status;
 }
 
+/* True when clip paths or gradients may be in box units, which gradients are unless they say otherwise. */
+static bool has_box_units(const GByteArray *text)
+{
+    static const char *const clips[] = {"clipPathUnits=\"objectB", "clipPathUnits='objectB", NULL};
+    static const char *const gradients[] = {"linearGradient ", "radialGradient ", NULL};
+    static const char *const others[] = {"gradientUnits=\"userS", "gradientUnits='userS", NULL};
+    return count(text, clips) || count(text, gradients) > count(text, others);
+}
+
 /* Who turns the page. The style does it best, but not where the document's root has a transform of its own, which
- * wins; and librsvg takes the boxes of clip paths in box units upright, so there cairo has to do it, if its faults
+ * wins; and librsvg takes the boxes of box units upright after the turn, so there cairo has to do it, if its faults
  * allow, which is tried first. */
 static bool turn_by_style(RsvgHandle *svg, const GByteArray *text, const page *p, bool no_text)
 {
-    static const char *const box_units[] = {"clipPathUnits=\"objectB", "clipPathUnits='objectB", NULL};
     char why[200];
     if (root_is_transformed(text))
         return false;
-    return !count(text, box_units) || !draw(svg, p, false, no_text, discard, why);
+    return !has_box_units(text) || !draw(svg, p, false, no_text, discard, why);
 }
 
 int main(int argc, char **argv)

@@ -246,6 +246,44 @@ static void deep_stacks_meet_a_limit(void)
     free(text);
 }
 
+static void gradients_have_colours_at_places(void)
+{
+    display_list list;
+    /* 10 units are a millimetre: black at x = 10 mm, white at 30 mm; then circles around (50, 20) mm, stretched twofold */
+    CHECK(read_script(HEAD "100 0 300 0 linear\n0 0 0 0 1 add-color-stop\n1 1 1 1 .5 add-color-stop\nset-source\n"
+                      "n 0 0 m 900 0 l 900 400 l h fill+\n"
+                      "0 0 0 0 0 10 radial\n0 1 0 0 1 add-color-stop\n1 0 0 1 1 add-color-stop\n//EXTEND_NONE set-extend\n"
+                      "[.05 0 0 .1 -25 -20] set-matrix\nset-source\nn 0 0 m 900 0 l 900 400 l h fill+\npop\n", &list));
+    const gradient *g = list.items.n == 2 ? plb_item_gradient(&list, &list.items.v[0]) : NULL;
+    CHECK(g && !g->radial);
+    paint at = plb_gradient_at(g, (point){20, 7});
+    CHECK(is_near(at.red, 0.5) && is_near(at.alpha, 0.75));
+    CHECK(plb_gradient_at(g, (point){-5, 0}).red == 0 && plb_gradient_at(g, (point){95, 0}).red == 1);
+    g = plb_item_gradient(&list, &list.items.v[1]);
+    CHECK(g && g->radial);
+    CHECK(is_near(plb_gradient_at(g, (point){60, 20}).blue, 0.5) && is_near(plb_gradient_at(g, (point){50, 25}).blue, 0.5));
+    CHECK(plb_gradient_at(g, (point){50, 31}).alpha == 0 && plb_gradient_at(g, (point){69, 20}).alpha == 1);
+    plb_list_transform(&list, plb_matrix_scale(2, 2));
+    g = plb_item_gradient(&list, &list.items.v[1]);
+    CHECK(is_near(plb_gradient_at(g, (point){120, 40}).blue, 0.5));
+    plb_list_free(&list);
+}
+
+/* A gradient in a group that is painted half transparent somewhere else. */
+static void gradients_move_with_their_group(void)
+{
+    display_list list;
+    CHECK(read_script(HEAD "dup 1000 500 //COLOR_ALPHA similar dup /s2 exch def context\n"
+                      "0 0 100 0 linear\n0 0 0 0 1 add-color-stop\n1 1 1 1 1 add-color-stop\nset-source\n"
+                      "n 0 0 m 100 0 l 100 100 l h fill+\npop\n"
+                      "s2 pattern [1 0 0 1 -200 0] set-matrix set-source 0.5 a mask /s2 undef pop", &list));
+    const gradient *g = list.items.n == 1 ? plb_item_gradient(&list, &list.items.v[0]) : NULL;
+    CHECK(g != NULL);
+    paint at = g ? plb_gradient_at(g, (point){25, 0}) : (paint){.kind = PAINT_SOLID};
+    CHECK(is_near(at.red, 0.5) && is_near(at.alpha, 0.5));
+    plb_list_free(&list);
+}
+
 int main(void)
 {
     RUN(page_and_stroke);
@@ -262,5 +300,7 @@ int main(void)
     RUN(unknown_operators_are_named);
     RUN(doubling_groups_meet_a_limit);
     RUN(deep_stacks_meet_a_limit);
+    RUN(gradients_have_colours_at_places);
+    RUN(gradients_move_with_their_group);
     CHECK_EXIT;
 }

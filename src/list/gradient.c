@@ -1,0 +1,100 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Gradients: the colour at a place (SVG 2, section 14; cairo's definition of two-circle gradients).
+ */
+#include "list/list.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Where along a linear gradient: the projection onto its axis. False: it has no axis. */
+static bool linear_offset(const gradient *g, point p, double *t)
+{
+    point axis = point_sub(g->to, g->from);
+    double length2 = point_dot(axis, axis);
+    *t = point_dot(point_sub(p, g->from), axis) / length2;
+    return length2 > 0;
+}
+
+/* The larger t whose circle, of radius not below 0, passes through `p`. False: there is none. */
+static bool radial_offset(const gradient *g, point p, double *t)
+{
+    point axis = point_sub(g->to, g->from), q = point_sub(p, g->from);
+    double grow = g->to_radius - g->from_radius, r0 = g->from_radius;
+    double a = point_dot(axis, axis) - grow * grow, b = point_dot(q, axis) + r0 * grow, c = point_dot(q, q) - r0 * r0;
+    if (fabs(a) < 1e-12 * (point_dot(axis, axis) + grow * grow)) {
+        *t = c / (2 * b);
+        return b != 0 && r0 + *t * grow >= 0;
+    }
+    double root = b * b - a * c;
+    if (!(root >= 0))
+        return false;
+    root = sqrt(root);
+    double one = (b + root) / a, other = (b - root) / a;
+    *t = fmax(one, other);
+    if (r0 + *t * grow < 0)
+        *t = fmin(one, other);
+    return r0 + *t * grow >= 0;
+}
+
+static bool extend(gradient_extend how, double *t)
+{
+    if (*t >= 0 && *t <= 1)
+        return true;
+    if (how == GRADIENT_REPEAT)
+        *t -= floor(*t);
+    if (how == GRADIENT_REFLECT)
+        *t = fabs(*t - 2 * floor(*t / 2 + 0.5));
+    *t = fmin(fmax(*t, 0), 1);
+    return how != GRADIENT_ENDS;
+}
+
+static paint mix(const gradient_stop *a, const gradient_stop *b, double t)
+{
+    double k = b->offset > a->offset ? (t - a->offset) / (b->offset - a->offset) : 1;
+    return (paint){.kind = PAINT_SOLID, .red = a->red + (b->red - a->red) * k, .green = a->green + (b->green - a->green) * k,
+                   .blue = a->blue + (b->blue - a->blue) * k, .alpha = a->alpha + (b->alpha - a->alpha) * k};
+}
+
+paint plb_gradient_at(const gradient *g, point mm)
+{
+    double t = 0;
+    point p = plb_matrix_apply(g->to_space, mm);
+    bool there = (g->radial ? radial_offset : linear_offset)(g, p, &t) && isfinite(t) && extend(g->extend, &t) && g->n;
+    if (!there)
+        return (paint){.kind = PAINT_SOLID};
+    unsigned i = 0;
+    while (i < g->n && g->stops[i].offset <= t)
+        i++;
+    paint at = mix(&g->stops[i ? i - 1 : 0], &g->stops[i < g->n ? i : g->n - 1], t);
+    at.alpha *= g->opacity;
+    return at;
+}
+
+void plb_gradient_add_stop(gradient *g, gradient_stop stop)
+{
+    if (g->n && stop.offset < g->stops[g->n - 1].offset) /* SVG: a stop is never before the one in front of it */
+        stop.offset = g->stops[g->n - 1].offset;
+    if (g->n == GRADIENT_MAX_STOPS)
+        g->n--;
+    g->stops[g->n++] = stop;
+}
+
+bool plb_list_add_gradient(display_list *list, const gradient *g, unsigned *index, error *err)
+{
+    if (list->gradients.n && !memcmp(&list->gradients.v[list->gradients.n - 1], g, sizeof *g)) {
+        *index = (unsigned)list->gradients.n;
+        return true;
+    }
+    if (list->gradients.n >= LIST_MAX_GRADIENTS)
+        return plb_fail(err, ERROR_LIMIT, "the drawing has more than %u gradients", LIST_MAX_GRADIENTS);
+    if (!array_push(&list->gradients, *g))
+        return plb_fail_memory(err);
+    *index = (unsigned)list->gradients.n;
+    return true;
+}
+
+const gradient *plb_item_gradient(const display_list *list, const item *it)
+{
+    return it->paint.kind == PAINT_GRADIENT && it->gradient ? &list->gradients.v[it->gradient - 1] : NULL;
+}
