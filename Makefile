@@ -135,11 +135,14 @@ packages-check:
 	@tests/packages $(packages_build) $(packages_tests)
 
 # ---- pictures and figures -----------------------------------------------------------------------------------
-.PHONY: figures bench realism profiles
+.PHONY: figures bench realism fidelity profiles
 figures: all $(tests_bin)
 	$(Q)tests/figures $(O)
 bench: all $(O)/tests/tools/measure
 	$(Q)tests/bench $(O)
+fidelity: all $(tests_bin)
+	$(Q)tests/run $(O) tests/fidelity.sh
+	@echo "  $(O)/fidelity.tsv $(O)/fidelity/sheet-*.png"
 realism: all
 	$(Q)tests/realism $(O)
 profiles: $(O)/plumbago-profile
@@ -185,6 +188,7 @@ help:
 	@echo 'make check      installs the packages that are missing, builds, runs all tests'
 	@echo 'make bench      speed, as ratios to rsvg-convert'
 	@echo 'make figures    the figures of the papers, in build/figures'
+	@echo 'make fidelity   do drawings show what the print shows? a table and contact sheets'
 	@echo 'make realism    can a machine observer tell drawn lines from scanned ones?'
 	@echo 'make profiles   captures the eight pencils anew, where the scans are at hand'
 	@echo 'make install    to $$(DESTDIR)$$(PREFIX); uninstall takes it away'

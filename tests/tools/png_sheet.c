@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * png_sheet OUT [-c COLUMNS] [-g GAP] [-z ZOOM] [-x X,Y,W,H] FILE...: puts pictures on one white sheet, in 8-bit grey,
+ * png_sheet OUT [-c COLUMNS] [-g GAP] [-m MOST] [-z ZOOM] [-x X,Y,W,H] FILE...: puts pictures on one white sheet, in 8-bit grey,
  * row by row, each at the left top of its cell. -z enlarges the files that follow, every pixel becoming a square of
- * ZOOM by ZOOM; -x cuts a rectangle out of them first (0,0,0,0: all of it, the default). GAP is the white between cells.
+ * ZOOM by ZOOM; -x cuts a rectangle out of them first (0,0,0,0: all of it, the default); -m brings those that are wider
+ * or higher than MOST pixels below that, by a whole number (0: as they are). GAP is the white between cells.
  */
 #include "tools/grey_write.h"
 #include "tools/png_image.h"
@@ -13,7 +14,7 @@
 
 typedef struct {
     grey_image image;
-    int zoom, x, y, width, height; /* the rectangle to show, in pixels of the image */
+    int most, zoom, x, y, width, height; /* the rectangle to show, in pixels of the image */
 } cell;
 
 typedef struct {
@@ -23,13 +24,29 @@ typedef struct {
 
 static void usage(void)
 {
-    fprintf(stderr, "usage: png_sheet OUT [-c COLUMNS] [-g GAP] [-z ZOOM] [-x X,Y,W,H] FILE...\n");
+    fprintf(stderr, "usage: png_sheet OUT [-c COLUMNS] [-g GAP] [-m MOST] [-z ZOOM] [-x X,Y,W,H] FILE...\n");
     exit(2);
 }
 
 static int least(int a, int b)
 {
     return a < b ? a : b;
+}
+
+/* Every `by` by `by` pixels become their mean, in place. */
+static void reduce(grey_image *image, int by)
+{
+    int width = image->width / by, height = image->height / by;
+    for (int y = 0; y < height; y++)
+        for (int x = 0; x < width; x++) {
+            long sum = 0;
+            for (int v = y * by; v < (y + 1) * by; v++)
+                for (int u = x * by; u < (x + 1) * by; u++)
+                    sum += image->grey[(size_t)v * (size_t)image->width + (size_t)u];
+            image->grey[(size_t)y * (size_t)width + (size_t)x] = (uint8_t)(sum / (by * by)); /* behind what is read */
+        }
+    image->width = width;
+    image->height = height;
 }
 
 static void add(sheet *s, const cell *as, const char *file)
@@ -39,6 +56,9 @@ static void add(sheet *s, const cell *as, const char *file)
     cell *c = &s->cells[s->n++];
     *c = *as;
     c->image = read_grey(file);
+    int side = c->image.width > c->image.height ? c->image.width : c->image.height;
+    if (as->most && side > as->most && c->image.width >= side / as->most + 1 && c->image.height >= side / as->most + 1)
+        reduce(&c->image, (side + as->most - 1) / as->most);
     c->x = least(c->x, c->image.width - 1);
     c->y = least(c->y, c->image.height - 1);
     c->width = least(c->width ? c->width : c->image.width, c->image.width - c->x);
@@ -63,6 +83,7 @@ static void read_arguments(sheet *s, int argc, char **argv)
         case 0: add(s, &as, a); break;
         case 'c': s->columns = (int)argument(argv[k], 1, CELLS_MAX); break;
         case 'g': s->gap = (int)argument(argv[k], 0, 1000); break;
+        case 'm': as.most = (int)argument(argv[k], 0, 100000); break;
         case 'z': as.zoom = (int)argument(argv[k], 1, 64); break;
         case 'x': read_rectangle(argv[k], &as); break;
         default: usage();
