@@ -28,6 +28,8 @@ bool plb_api_check(const plb_options *o, error *err)
 {
     if (!(o->dpi >= 10 && o->dpi <= 4800))
         return plb_fail(err, ERROR_ARGUMENT, "the resolution must be 10 to 4800 dpi");
+    if (o->paper > PLB_PAPER_NONE)
+        return plb_fail(err, ERROR_ARGUMENT, "there is no such paper");
     if (!(o->scale >= 0 && o->scale <= 1e4))
         return plb_fail(err, ERROR_ARGUMENT, "the scale must be at most 10000");
     if (!(o->width >= 0 && o->height >= 0 && o->width <= 1e5 && o->height <= 1e5))

@@ -122,12 +122,15 @@ typedef enum {
 
 /* Which hand draws: it has its own way with lines of each direction (plumbago(7)). */
 typedef enum { PLB_HAND_RIGHT, PLB_HAND_LEFT, PLB_HAND_NONE } plb_handed;
+/* How rough the paper is: what hollows the graphite model's strokes skip over. */
+typedef enum { PLB_PAPER_MEDIUM, PLB_PAPER_SMOOTH, PLB_PAPER_ROUGH, PLB_PAPER_NONE } plb_paper;
 
 typedef enum { PLB_BACKGROUND_WHITE, PLB_BACKGROUND_NONE } plb_background;
 
 /* Always start from plb_options_default(): fields will be added. */
 typedef struct {
     const plb_profile *profile; /* the pencil; NULL: HB */
+    plb_paper paper;            /* what graphite is drawn on; default medium */
     uint64_t seed;              /* default 1 */
     plb_model model;            /* default graphite */
     plb_arm arm;                /* how the arm moves; default: the model's own */

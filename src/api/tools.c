@@ -25,7 +25,8 @@ bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
         if (!t->own)
             return plb_fail(err, (error_kind)failed.status, "%s", failed.text);
     }
-    t->pencil = plb_pencil_new(t->profile->p, err);
+    static const paper_kind papers[] = {PAPER_MEDIUM, PAPER_SMOOTH, PAPER_ROUGH, PAPER_NONE};
+    t->pencil = plb_pencil_on_paper(t->profile->p, papers[o->paper], err);
     if (!t->pencil) {
         plb_api_tools_free(t);
         return false;

@@ -18,8 +18,9 @@ typedef enum {
     PURPOSE_HAND = 5,     /* amplitudes of a free hand's deviation */
     PURPOSE_LINE = 6,     /* a line's own depth, width, roughness … */
     PURPOSE_SLOW = 7,     /* slow changes of the section along the line */
-    PURPOSE_CHAIN = 8,    /* smooth and broken columns */
+    PURPOSE_CHAIN = 8,    /* not in use any more */
     PURPOSE_GRAIN = 9,    /* innovations of the grain */
+    PURPOSE_PAPER = 10,   /* the paper's heights, and where the sheet lies */
     PURPOSE_HOOK = 20,    /* hooks at free ends */
     PURPOSE_CLOSING = 21, /* where a circle begins and how it meets itself */
     PURPOSE_HABIT = 22,   /* overshoot, restating, construction lines */

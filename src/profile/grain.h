@@ -64,7 +64,9 @@ void plb_grain_moments(const grain_lines *lines, grain_model *g, grain_moments *
  * unit covariance at lags e and -e. */
 void plb_grain_chain(const grain_moments *m, grain_model *g);
 void plb_grain_chain_response(const grain_model *g, double response[GRAIN_LAGS][GRAIN_LAGS]);
-/* grain_filter.c: g->filter. */
+/* grain_filter.c: the filter that gives the chain's output the correlation `wanted`; g->filter. */
+void plb_grain_solve_filter(double response[GRAIN_LAGS][GRAIN_LAGS], double wanted[GRAIN_LAGS][GRAIN_ASIDE],
+                            float out[GRAIN_TAPS][GRAIN_TAPS]);
 void plb_grain_filter(const grain_moments *m, grain_model *g);
 /* grain_between.c: g->line_mean, line_factor. */
 void plb_grain_between(const grain_lines *lines, const grain_moments *m, grain_model *g);

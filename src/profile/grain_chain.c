@@ -8,8 +8,6 @@
 
 #include "profile/grain_math.h"
 
-#include "base/random.h"
-
 #include <math.h>
 
 #define SHARE_HIGH 0.42      /* of the columns; chosen by eye */
@@ -19,7 +17,6 @@
 #define MOST_HIGH 0.93
 #define LOWEST (-0.95)
 #define MOST_PERSISTENT 0.8
-#define SAMPLES 60000        /* columns simulated for the response */
 #define MEMORY 12            /* columns after which an innovation is forgotten */
 
 void plb_grain_chain(const grain_moments *m, grain_model *g)
@@ -41,50 +38,47 @@ void plb_grain_chain(const grain_moments *m, grain_model *g)
     g->chain_correlation = (float)rho;
 }
 
-/* One column on: the coefficient of the new one. */
-static double next_coefficient(const grain_model *g, uint64_t key, uint64_t column, bool *high)
+/* A product over columns, oldest first, of numbers that depend on each column's state: its mean over the chain. */
+typedef struct {
+    double high, low; /* mean of the product so far where the newest column is in this state, times the state's share */
+} chain_mean;
+
+/* What the innovation of the column `age` before has passed through in column `column` before (0: the newest), for one
+ * coefficient: it comes in with sqrt(1 - a^2) and is multiplied by every later one. */
+static double passage(double a, int column, int age)
 {
-    double p = g->chain_share, rho = g->chain_correlation;
-    double a = *high ? g->chain_high : g->chain_low;
-    *high = random_unit(key, column) < (*high ? p + rho * (1 - p) : p * (1 - rho));
-    return a;
+    return column > age ? 1 : column == age ? sqrt(1 - a * a) : a;
 }
 
-/* How much of the innovation of the column k before is in this one; `past`: coefficients, the newest first. */
-static void memory_of(const double past[MEMORY], double share[MEMORY])
+/* Mean of the product of what is left of two innovations: that of the column `lag` + k before in the column `lag` before,
+ * and that of the column q before in the newest. */
+static double mean_product(const grain_model *g, int lag, int k, int q)
 {
-    double product = 1;
-    for (int k = 0; k < MEMORY; k++) {
-        share[k] = product * sqrt(1 - past[k] * past[k]);
-        product *= past[k];
+    double p = g->chain_share, rho = g->chain_correlation, a[2] = {g->chain_low, g->chain_high};
+    chain_mean m = {p, 1 - p};
+    int oldest = lag + k > q ? lag + k : q;
+    for (int c = oldest; c >= 0; c--) {
+        double f[2];
+        for (int i = 0; i < 2; i++)
+            f[i] = passage(a[i], c, q) * (c >= lag ? passage(a[i], c - lag, k) : 1);
+        if (c < oldest)
+            m = (chain_mean){m.high * (p + rho * (1 - p)) + m.low * p * (1 - rho), m.high * (1 - p - rho * (1 - p)) + m.low * (1 - p * (1 - rho))};
+        m.high *= f[1];
+        m.low *= f[0];
     }
-}
-
-/* Adds the covariance of columns `lag` apart that innovations of all lags make. */
-static void add_response(const double before[MEMORY], const double now[MEMORY], int lag, double response[GRAIN_LAGS])
-{
-    for (int k = 0; k < MEMORY; k++)
-        for (int q = 0; q < MEMORY; q++) {
-            int apart = lag + k - q < 0 ? q - k - lag : lag + k - q;
-            if (apart < GRAIN_LAGS)
-                response[apart] += before[k] * now[q] / SAMPLES;
-        }
+    return m.high + m.low;
 }
 
 void plb_grain_chain_response(const grain_model *g, double response[GRAIN_LAGS][GRAIN_LAGS])
 {
-    uint64_t key = random_key(0, 0, PURPOSE_CHAIN);
-    double past[MEMORY] = {0}, shares[GRAIN_LAGS][MEMORY] = {{0}};
-    bool high = false;
-    for (int d = 0; d < GRAIN_LAGS; d++)
+    for (int d = 0; d < GRAIN_LAGS; d++) {
         for (int e = 0; e < GRAIN_LAGS; e++)
             response[d][e] = 0;
-    for (int x = 0; x < SAMPLES + 2 * MEMORY; x++) {
-        for (int k = MEMORY - 1; k > 0; k--)
-            past[k] = past[k - 1];
-        past[0] = next_coefficient(g, key, (uint64_t)x, &high);
-        memory_of(past, shares[x % GRAIN_LAGS]);
-        for (int d = 0; d < GRAIN_LAGS && x >= 2 * MEMORY; d++)
-            add_response(shares[(x - d) % GRAIN_LAGS], shares[x % GRAIN_LAGS], d, response[d]);
+        for (int k = 0; k < MEMORY; k++)
+            for (int q = 0; q < MEMORY; q++) {
+                int apart = d + k - q < 0 ? q - k - d : d + k - q;
+                if (apart < GRAIN_LAGS)
+                    response[d][apart] += mean_product(g, d, k, q);
+            }
     }
 }

@@ -78,21 +78,28 @@ static void root_filter(const double covariance[GRAIN_LAGS][GRAIN_ASIDE], float 
         out[i / GRAIN_TAPS][i % GRAIN_TAPS] = (float)(h[i / GRAIN_TAPS][i % GRAIN_TAPS] / sqrt(energy));
 }
 
+void plb_grain_solve_filter(double response[GRAIN_LAGS][GRAIN_LAGS], double wanted[GRAIN_LAGS][GRAIN_ASIDE], float out[GRAIN_TAPS][GRAIN_TAPS])
+{
+    double covariance[GRAIN_LAGS][GRAIN_ASIDE];
+    for (int c = 0; c < GRAIN_ASIDE; c++) {
+        double column[GRAIN_LAGS], solved[GRAIN_LAGS];
+        for (int d = 0; d < GRAIN_LAGS; d++)
+            column[d] = wanted[d][c];
+        solve_column((const double(*)[GRAIN_LAGS])response, column, c == 0, solved);
+        for (int d = 0; d < GRAIN_LAGS; d++)
+            covariance[d][c] = solved[d];
+    }
+    root_filter((const double(*)[GRAIN_ASIDE])covariance, out);
+}
+
 void plb_grain_filter(const grain_moments *m, grain_model *g)
 {
-    double response[GRAIN_LAGS][GRAIN_LAGS];
+    double response[GRAIN_LAGS][GRAIN_LAGS], wanted[GRAIN_LAGS][GRAIN_ASIDE];
     plb_grain_chain_response(g, response);
     for (int class = 0; class < GRAIN_CLASSES; class++) {
-        double covariance[GRAIN_LAGS][GRAIN_ASIDE];
-        for (int c = 0; c < GRAIN_ASIDE; c++) {
-            double wanted[GRAIN_LAGS], solved[GRAIN_LAGS];
-            double scale = c == 1 ? class * CLASS_STEP / fmax(m->correlation[0][1], LEAST_ACROSS) : 1;
-            for (int d = 0; d < GRAIN_LAGS; d++)
-                wanted[d] = m->correlation[d][c] * scale;
-            solve_column((const double(*)[GRAIN_LAGS])response, wanted, c == 0, solved);
-            for (int d = 0; d < GRAIN_LAGS; d++)
-                covariance[d][c] = solved[d];
-        }
-        root_filter((const double(*)[GRAIN_ASIDE])covariance, g->filter[class]);
+        for (int d = 0; d < GRAIN_LAGS; d++)
+            for (int c = 0; c < GRAIN_ASIDE; c++)
+                wanted[d][c] = m->correlation[d][c] * (c == 1 ? class * CLASS_STEP / fmax(m->correlation[0][1], LEAST_ACROSS) : 1);
+        plb_grain_solve_filter(response, wanted, g->filter[class]);
     }
 }

@@ -55,6 +55,11 @@ static int rows_of(double half_width)
 
 pencil *plb_pencil_new(const profile *f, error *err)
 {
+    return plb_pencil_on_paper(f, PAPER_NONE, err);
+}
+
+pencil *plb_pencil_on_paper(const profile *f, paper_kind on, error *err)
+{
     pencil *p = plb_new(1, sizeof *p);
     if (!p) {
         plb_fail_memory(err);
@@ -71,7 +76,7 @@ pencil *plb_pencil_new(const profile *f, error *err)
     p->outside_span = f->max_range - p->outside_low + 1;
     tabulate_centre(p);
     tabulate_nearest(p);
-    if (f->grain.present && !plb_pencil_tabulate_grain(p)) {
+    if (f->grain.present && !plb_pencil_tabulate_grain(p, on)) {
         plb_fail_memory(err);
         plb_pencil_free(p);
         return NULL;

@@ -5,29 +5,39 @@
 #ifndef PLB_STROKE_PENCIL_H
 #define PLB_STROKE_PENCIL_H
 
+#include "stroke/paper.h"
 #include "stroke/stroke.h"
 
 #define CENTRE_STEPS 4096
 
-/* Of the graphite model. */
-#define GRAIN_SCORE_UNIT 40   /* steps of a score: 3 sigma fit a byte */
-#define GRAIN_LEVEL_UNIT 180  /* steps of a level: 1.4 fits a byte */
-#define GRAIN_RELATIVE_UNIT 4096 /* steps of relative darkness */
-#define GRAIN_KNOT 4          /* the section is worked out every so many columns */
-#define GRAIN_SMOOTH_KNOTS 6  /* the Gaussian along the line reaches three sigma to either side */
+/* Of the graphite model: all that a stroke needs as tables of whole numbers. */
+#define FIELD_UNIT PAPER_UNIT /* steps of a score's standard deviation in the field: 4 sigma fit a byte */
+#define NOISE_UNIT 2048       /* … and before the field is rounded to bytes */
+#define NOISE_LENGTH 4096     /* of the sequence of white noise; as many as there are normal numbers */
+#define NOISE_PAD 96          /* rows of the broadest stroke, at least */
 #define GRAIN_NORMALS 4096    /* a normal number per 12 random bits */
+#define GRAIN_KNOT 4          /* the section is worked out every so many columns */
 #define GRAIN_PLACES_PADDED 72 /* the modes' 65 places, up to a whole number of vectors */
-#define GRAIN_MAP 641         /* entries of the map from field to score, -8 to 8 */
+#define SLOW_LENGTH 2048      /* knots of a slow process on its ring */
+#define COEFFICIENT_UNIT 2880 /* steps of a mode's coefficient: half of them times 32768 of a mode's value … */
+#define SECTION_UNIT 1440     /* … are a level in these */
+#define GRAIN_LEVEL_UNIT 180  /* steps of a level in the end: 1.4 fits a byte */
+#define GRAIN_RELATIVE_UNIT 4096 /* steps of relative darkness */
+#define ROUGH_CLASSES 32      /* of roughness, in equal steps of its logarithm … */
+#define ROUGH_LOG_STEP 0.04   /* … about 1 */
 
 typedef struct {
     float normal[GRAIN_NORMALS];
-    int8_t score[GRAIN_MAP];                 /* normal score of a field value, in 1/GRAIN_SCORE_UNIT */
-    uint16_t darkness[256][128];             /* relative darkness by level and half the score's steps */
-    float section[GRAIN_PLACES_PADDED];      /* mean section at the modes' places */
-    float mode[GRAIN_MODES][GRAIN_PLACES_PADDED]; /* modes, faded where there is hardly any line */
-    float knot_keep[GRAIN_MODES];            /* of the slow process: correlation from knot to knot … */
-    float knot_scale[GRAIN_MODES];           /* … and the factor that makes it as wide as captured */
-    float smooth[2 * GRAIN_SMOOTH_KNOTS + 1];
+    int16_t noise[GRAIN_CLASSES][GRAIN_TAPS][NOISE_LENGTH + NOISE_PAD]; /* pencil_noise.c */
+    int16_t slow[GRAIN_MODES][SLOW_LENGTH];
+    int16_t section[GRAIN_PLACES_PADDED];           /* mean section at the modes' places */
+    int16_t mode[GRAIN_MODES][GRAIN_PLACES_PADDED]; /* modes, faded where there is hardly any line */
+    int8_t bend[ROUGH_CLASSES][256]; /* normal score of field value k - 128, less the field value */
+    uint8_t share[256];              /* by level: how much of that difference holds, of 256 */
+    uint16_t darkness[256][128];     /* relative darkness by level and half the score's steps */
+    double reach;                    /* px of the reference width from the centreline: farther there is nothing */
+    float chain_high, chain_low;     /* the profile's, farther apart to make up for the paper, which does not join in */
+    paper paper;
 } grain_tables;
 
 struct pencil {
@@ -41,7 +51,10 @@ struct pencil {
     uint8_t nearest[PROFILE_GREYS][PROFILE_GREYS]; /* [i][j]: the grey nearest to j that stands beside i in the CCM */
 };
 
-/* Fills p->grain from p->profile->grain (pencil_grain.c); false when out of memory. */
-bool plb_pencil_tabulate_grain(pencil *p);
+/* Makes p->grain from p->profile->grain (pencil_grain.c); false when out of memory. */
+bool plb_pencil_tabulate_grain(pencil *p, paper_kind on);
+/* pencil_noise.c: t->noise, from t->normal and t->paper; t->slow. */
+void plb_pencil_tabulate_noise(grain_tables *t, const grain_model *g);
+void plb_pencil_tabulate_slow(grain_tables *t, const grain_model *g);
 
 #endif

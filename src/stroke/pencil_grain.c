@@ -3,20 +3,26 @@
  * The graphite model's tables: what a captured grain needs so that drawing is additions and look-ups.
  * Input: profile.grain. Output: grain_tables.
  */
+#include "base/array.h"
 #include "base/interpolate.h"
 #include "base/normal.h"
 #include "stroke/pencil.h"
 
 #include <math.h>
-#include <stdlib.h>
 
 /* Where the mean section is fainter than this the modes fade with it: they were measured on the line. */
 #define FAINT_SECTION 0.15
 
+/* The quantiles of the normal distribution at the middles of GRAIN_NORMALS equal shares. From one to the next by a step of
+ * the second order and one of Newton's. */
 static void tabulate_normals(grain_tables *t)
 {
-    for (int k = 0; k < GRAIN_NORMALS / 2; k++) {
-        double x = plb_normal_quantile((k + 0.5) / GRAIN_NORMALS);
+    const double share = 1.0 / GRAIN_NORMALS, root = 0.3989422804014327;
+    double x = 0, step = share / 2; /* the first quantile is half a share from the median */
+    for (int k = GRAIN_NORMALS / 2; k < GRAIN_NORMALS; k++, step = share) {
+        double way = step / (root * exp(-x * x / 2));
+        x += way + x * way * way / 2;
+        x -= (plb_normal_share(x) - (k + 0.5) * share) / (root * exp(-x * x / 2));
         t->normal[k] = (float)x;
         t->normal[GRAIN_NORMALS - 1 - k] = (float)-x;
     }
@@ -24,84 +30,129 @@ static void tabulate_normals(grain_tables *t)
 
 /* The field is normal for one line; over lines of different roughness it is a mixture. Its values become scores of that
  * mixture, so that the captured greys come out in their captured shares. */
-static void tabulate_scores(grain_tables *t, const grain_model *g)
+#define MIXED 16
+#define MAP_STEPS 16 /* of the map, per unit of the field … */
+#define MAP_REACH 8  /* … which goes so far */
+#define MAP_SIZE (MAP_STEPS * MAP_REACH + 1)
+
+static void map_scores(const grain_model *g, float map[MAP_SIZE])
 {
-    enum { MIXED = 64 };
     double sd = sqrt((double)g->line_factor[2][0] * g->line_factor[2][0] + (double)g->line_factor[2][1] * g->line_factor[2][1] +
                      (double)g->line_factor[2][2] * g->line_factor[2][2]);
     double rough[MIXED];
     for (int i = 0; i < MIXED; i++)
         rough[i] = exp(g->line_mean[2] + sd * plb_normal_quantile((i + 0.5) / MIXED));
-    for (int k = 0; k < GRAIN_MAP; k++) {
-        double x = (k - GRAIN_MAP / 2) * 16.0 / (GRAIN_MAP - 1), share = 0;
+    for (int k = 0; k < MAP_SIZE; k++) {
+        double share = 0;
         for (int i = 0; i < MIXED; i++)
-            share += plb_normal_share(x / rough[i]) / MIXED;
-        double score = plb_normal_quantile(share) * GRAIN_SCORE_UNIT;
-        t->score[k] = (int8_t)(score > 127 ? 127 : score < -127 ? -127 : floor(score + 0.5));
+            share += plb_normal_share((double)-k / MAP_STEPS / rough[i]) / MIXED;
+        map[k] = (float)-plb_normal_quantile(share);
     }
+}
+
+static int8_t to_byte(double v)
+{
+    return (int8_t)floor((v > 127 ? 127 : v < -127 ? -127 : v) + 0.5);
+}
+
+static void tabulate_scores(grain_tables *t, const grain_model *g)
+{
+    float map[MAP_SIZE];
+    map_scores(g, map);
+    for (int c = 0; c < ROUGH_CLASSES; c++)
+        for (int k = 0; k < 256; k++) {
+            double x = (k - 128.0) / FIELD_UNIT, rough = exp((c - ROUGH_CLASSES / 2) * ROUGH_LOG_STEP);
+            double score = plb_interpolate(map, MAP_SIZE, 0, 1.0 / MAP_STEPS, fabs(x) * rough);
+            t->bend[c][k] = to_byte(((x < 0 ? -score : score) - x) * FIELD_UNIT);
+        }
+}
+
+/* Scores fade into the plain field where the expected darkness falls through these: they were captured on the line. */
+#define TAIL_LOW 0.05
+#define TAIL_SPAN 0.25
+/* Where the captured dependence on place sets in, as in the capture. */
+#define PLACE_FROM 0.4
+#define PLACE_OVER 0.4
+
+/* The spread of the scores where so much darkness is expected: as far from the centreline as the mean section has it. */
+static double spread_of(const grain_model *g, double level)
+{
+    int k = GRAIN_SECTION - 1;
+    while (k > 0 && (double)g->section[k - 1] <= level)
+        k--;
+    double scale = plb_interpolate(g->place_scale, GRAIN_PLACES, 0.25, 0.5, k * PROFILE_SECTION_STEP);
+    return 1 + (scale - 1) * clamp((level - PLACE_FROM) / PLACE_OVER, 0, 1);
 }
 
 static void tabulate_darkness(grain_tables *t, const grain_model *g)
 {
     for (int level = 0; level < 256; level++) {
-        double m = (double)level / GRAIN_LEVEL_UNIT;
+        double m = (double)level / GRAIN_LEVEL_UNIT, spread = spread_of(g, m);
         int i = 0;
         while (i + 2 < GRAIN_LEVELS && m >= plb_grain_levels[i + 1])
             i++;
         double w = (m - plb_grain_levels[i]) / (plb_grain_levels[i + 1] - plb_grain_levels[i]);
         w = w > 1 ? 1 : w;
         for (int k = 0; k < 128; k++) {
-            double z = (2 * k + 1 - 128) / (double)GRAIN_SCORE_UNIT, step = 6.0 / (GRAIN_SCORES - 1);
+            double z = (2 * k + 0.5 - 128) / FIELD_UNIT * spread, step = 6.0 / (GRAIN_SCORES - 1);
             double low = plb_interpolate(g->darkness[i], GRAIN_SCORES, -3, step, z);
             double high = plb_interpolate(g->darkness[i + 1], GRAIN_SCORES, -3, step, z);
             double v = (low + w * (high - low)) * GRAIN_RELATIVE_UNIT;
             t->darkness[level][k] = (uint16_t)(v < 0 ? 0 : v > 65535 ? 65535 : floor(v + 0.5));
         }
+        t->share[level] = (uint8_t)(255 * clamp((m - TAIL_LOW) / TAIL_SPAN, 0, 1));
     }
+}
+
+static int16_t to_short(double v)
+{
+    return (int16_t)floor((v > 32767 ? 32767 : v < -32767 ? -32767 : v) + 0.5);
+}
+
+/* A sum of the section and all modes, each with a coefficient within its bounds, stays within 16 bits: see texture_grain.c. */
+#define HIGHEST_SECTION 3.0
+
+/* Beyond the place where the mean section falls below this there is only what strayed into the scans. */
+#define STRAY 0.006f
+/* No graphite farther from the centreline than this in any profile, px: scans beyond are paper. */
+#define FARTHEST 7.0
+
+static double reach_of(const grain_model *g)
+{
+    int k = GRAIN_SECTION;
+    while (k > 1 && g->section[k - 1] < STRAY)
+        k--;
+    return fmin(k * PROFILE_SECTION_STEP, FARTHEST);
 }
 
 static void tabulate_section(grain_tables *t, const grain_model *g)
 {
+    t->reach = reach_of(g);
     for (int k = 0; k < GRAIN_MODE_PLACES; k++) {
         double place = fabs((k - GRAIN_MODE_PLACES / 2) * PROFILE_SECTION_STEP);
         double f = plb_interpolate(g->section, GRAIN_SECTION, PROFILE_SECTION_STEP / 2, PROFILE_SECTION_STEP, place);
-        double fade = f < FAINT_SECTION ? f / FAINT_SECTION : 1;
-        t->section[k] = (float)f;
+        double fade = clamp(f / FAINT_SECTION, 0, 1);
+        if (place > t->reach)
+            f = fade = 0;
+        t->section[k] = to_short(fmin(f, HIGHEST_SECTION) * SECTION_UNIT);
         for (int i = 0; i < GRAIN_MODES; i++)
-            t->mode[i][k] = (float)(g->mode[i][k] * (fade < 0 ? 0 : fade));
+            t->mode[i][k] = to_short(g->mode[i][k] * fade * 32767);
     }
 }
 
-/* Each mode's coefficient is an Ornstein-Uhlenbeck process smoothed by the Gaussian with which it was captured, here
- * from knot to knot. */
-static void tabulate_slow(grain_tables *t, const grain_model *g)
-{
-    double weight[2 * GRAIN_SMOOTH_KNOTS + 1], sum = 0, sigma = GRAIN_SMOOTH / GRAIN_KNOT;
-    int n = 2 * GRAIN_SMOOTH_KNOTS + 1;
-    for (int i = 0; i < n; i++)
-        sum += weight[i] = exp(-(i - GRAIN_SMOOTH_KNOTS) * (i - GRAIN_SMOOTH_KNOTS) / (2 * sigma * sigma));
-    for (int i = 0; i < n; i++)
-        t->smooth[i] = (float)(weight[i] / sum);
-    for (int k = 0; k < GRAIN_MODES; k++) {
-        double keep = g->mode_length[k] > 0 ? exp(-GRAIN_KNOT / (double)g->mode_length[k]) : 0, variance = 0;
-        for (int i = 0; i < n; i++)
-            for (int j = 0; j < n; j++)
-                variance += t->smooth[i] * t->smooth[j] * pow(keep, abs(i - j));
-        t->knot_keep[k] = (float)keep;
-        t->knot_scale[k] = (float)(variance > 0 ? sqrt(g->mode_within[k] / variance) : 0);
-    }
-}
-
-bool plb_pencil_tabulate_grain(pencil *p)
+bool plb_pencil_tabulate_grain(pencil *p, paper_kind on)
 {
     const grain_model *g = &p->profile->grain;
     grain_tables *t = p->grain = plb_new(1, sizeof *t);
     if (!t)
         return false;
     tabulate_normals(t);
+    if (!plb_paper_make(&t->paper, on, t->normal))
+        return false;
     tabulate_scores(t, g);
     tabulate_darkness(t, g);
     tabulate_section(t, g);
-    tabulate_slow(t, g);
+    plb_pencil_tabulate_noise(t, g);
+    plb_pencil_tabulate_slow(t, g);
     return true;
 }

@@ -21,8 +21,11 @@ typedef enum { HANDED_NONE, HANDED_RIGHT, HANDED_LEFT } handedness; /* NONE: no 
 
 /* A profile made ready for drawing: tables computed once. Immutable; shared by all strokes and threads. */
 typedef struct pencil pencil;
-/* Borrows `p`, which must live longer. NULL and `err` when out of memory. */
+/* What the pencil draws on. */
+typedef enum { PAPER_NONE, PAPER_SMOOTH, PAPER_MEDIUM, PAPER_ROUGH } paper_kind;
+/* Borrows `p`, which must live longer. NULL and `err` when out of memory. Without a kind of paper: PAPER_NONE. */
 pencil *plb_pencil_new(const profile *p, error *err);
+pencil *plb_pencil_on_paper(const profile *p, paper_kind on, error *err);
 void plb_pencil_free(pencil *p);
 
 typedef struct {
@@ -162,21 +165,31 @@ typedef struct {
 bool plb_strip_map(const shading *s, const map_page *page, const path_samples *path, bool closed, map_room *room, patch_sink sink,
                    void *closure);
 
-/* ---- the graphite model (texture_grain.c) ---- */
+/* ---- the graphite model (texture_grain.c, texture_shade.c, texture_paper.c) ---- */
 
-/* The texture of one stroke: a field of normal scores, and what the scores mean at each place. */
+/* Where the sheet of paper lies under the page: another seed, another place. */
+#define PAPER_TILES 2
+typedef struct {
+    int x[PAPER_TILES], y[PAPER_TILES]; /* texels, 0 to the tile's side */
+} paper_sheet;
+
+/* The texture of one stroke: its own part of a field of normal scores, and what the scores mean at each place. */
 typedef struct {
     const pencil *pencil;
     int columns, rows;       /* px along and across; rows odd */
-    int8_t *score;           /* [column][row], in 1/GRAIN_SCORE_UNIT */
-    uint8_t *level;          /* [knot][place]: expected darkness, see texture_grain.c */
-    uint8_t *pressure;       /* [column], of 255 */
-    size_t score_room, level_room, pressure_room;
-    float depth;             /* 255 - grey of the line's middle */
+    int stride;              /* of a column of the field */
+    int8_t *field;           /* [column][row] */
+    uint8_t *level;          /* [knot][place]: expected darkness */
+    uint8_t *ends;           /* [column]: pressure, of 255; 255 but near the ends */
+    size_t field_room, level_room, ends_room;
+    int plain_first, plain_last; /* between these columns `ends` is 255 */
+    const int8_t *bend;      /* of this line's roughness: score less field value */
+    uint32_t depth;          /* 255 - grey of the line's middle, in 1/256 */
     float narrow;            /* px at the pencil's mean width per px across: this line's own width */
     float half_width, half_reference; /* half the mean width and half the profile's, px: inside places stretch, outside not */
     float ragged;            /* px by which a point may look beside its own pixel of the field, on finer pages */
     float cap_first, cap_last; /* radius of the round caps at corners, px; 0: none */
+    paper_sheet sheet;
 } grain;
 void plb_grain_free(grain *g);
 

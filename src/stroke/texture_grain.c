@@ -1,14 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * The graphite model's texture (plumbago(7)).
- * Input: the length of the path in pixels of the profile; the profile's grain. Output: a field of normal scores in the
- * strip frame, and per place the darkness to expect; together they give the darkness of any point beside the path.
+ * The graphite model's texture (plumbago(7)): what one stroke makes of its pencil's tables.
+ * Input: the length of the path in pixels of 1/300 inch; a prepared pencil. Output: a grain: a field of normal numbers in the
+ * strip frame, and per place the darkness to expect. texture_shade.c reads the darkness of points beside the path off them.
  *
  *   1. The line's own depth, width, roughness and correlations are drawn from their captured joint distribution.
  *   2. Its cross-section changes slowly along it: mean section plus six modes, each with a slow random coefficient.
- *   3. Grain: white noise through the captured filter, joined from column to column by a chain whose coefficient is
- *      high in smooth columns and low in broken ones.
- *   4. A point's darkness is the captured quantile, at the point's score, of pixels where so much darkness is expected.
+ *   3. Grain: noise filtered beforehand, read at places of the stroke's own, joined from column to column by a chain whose
+ *      coefficient is high in smooth columns and low in broken ones.
+ *
+ * All inner loops are on whole numbers, written for the compiler's vectors.
  */
 #include "base/interpolate.h"
 #include "base/random.h"
@@ -17,17 +18,11 @@
 #include <math.h>
 #include <string.h>
 
-/* No graphite farther from the centreline than this, in places of the profile. */
-#define REACH 7.0
 #define HALF_ROWS_MAX 40
-#define TAPS_HALF (GRAIN_TAPS / 2)
-/* Rows are worked on in blocks of so many, which the compiler keeps in vector registers. */
+/* Rows are worked on in blocks of so many, which the compiler keeps in a vector register. */
 #define BLOCK 8
-#define ROWS_MAX ((2 * HALF_ROWS_MAX + 1 + BLOCK - 1) / BLOCK * BLOCK)
-#define NOISE_MAX (ROWS_MAX + 2 * TAPS_HALF)
-/* Scores fade into the plain field where the expected darkness falls through these: they were captured on the line. */
-#define TAIL_LOW 0.05
-#define TAIL_SPAN 0.25
+#define STRIDE_MAX ((2 * HALF_ROWS_MAX + 1 + BLOCK - 1) / BLOCK * BLOCK)
+_Static_assert(STRIDE_MAX <= NOISE_PAD, "a stroke's rows must fit into the noise's pad");
 /* Half a kilometre of pencil, in columns. */
 #define COLUMNS_MAX 6000000
 
@@ -39,9 +34,9 @@ typedef struct {
 
 void plb_grain_free(grain *g)
 {
-    plb_free(g->score);
+    plb_free(g->field);
     plb_free(g->level);
-    plb_free(g->pressure);
+    plb_free(g->ends);
     memset(g, 0, sizeof *g);
 }
 
@@ -66,9 +61,10 @@ static bool resize(grain *g, int columns, int rows, error *err)
 {
     g->columns = columns;
     g->rows = rows;
-    bool ok = make_room((void **)&g->score, &g->score_room, (size_t)columns * (size_t)rows) &&
-              make_room((void **)&g->level, &g->level_room, knots_of(columns) * GRAIN_MODE_PLACES) &&
-              make_room((void **)&g->pressure, &g->pressure_room, (size_t)columns);
+    g->stride = (rows + BLOCK - 1) / BLOCK * BLOCK;
+    bool ok = make_room((void **)&g->field, &g->field_room, (size_t)columns * (size_t)g->stride) &&
+              make_room((void **)&g->level, &g->level_room, knots_of(columns) * GRAIN_PLACES_PADDED) &&
+              make_room((void **)&g->ends, &g->ends_room, (size_t)columns);
     return ok || plb_fail_memory(err);
 }
 
@@ -102,172 +98,136 @@ static line_figures draw_line(const pencil *p, uint64_t key)
     return f;
 }
 
-/* ---- places ---- */
-
-/* The profile's place, px, of a point `across` px from the centreline. A line's own width stretches the whole section; the
- * width that a pencil was assigned stretches its core only: flanks and the dust beside them stay as steep as scanned. */
-static double place_of(const grain *g, double across)
-{
-    double x = fabs(across) * (double)g->narrow, core = (double)g->half_width;
-    double place = x <= core ? x * (double)g->half_reference / core : (double)g->half_reference + x - core;
-    return across < 0 ? -place : place;
-}
-
 static int rows_of(const grain *g)
 {
-    double reach = REACH > (double)g->half_reference ? (double)g->half_width + REACH - (double)g->half_reference : (double)g->half_width;
+    double beyond = g->pencil->grain->reach - (double)g->half_reference;
+    double reach = (double)g->half_width + (beyond > 0 ? beyond : 0);
     int half = (int)ceil(reach / (double)g->narrow);
     return 2 * (half < 1 ? 1 : half > HALF_ROWS_MAX ? HALF_ROWS_MAX : half) + 1;
 }
 
 /* ---- 2: the section along the line ---- */
 
-/* A mode's coefficient at the knots, into out[0 .. n): a stationary process from knot to knot, smoothed. */
-static void slow_process(const grain_tables *t, int mode, uint64_t key, size_t n, float *raw, float *out)
+/* The largest coefficient of a mode: section and six modes then stay within 16 bits. */
+#define COEFFICIENT_MAX 3.0
+
+static int clamp_int(int v, int low, int high)
 {
-    float keep = t->knot_keep[mode], fresh = sqrtf(1 - keep * keep);
-    uint64_t base = (uint64_t)mode << 32;
-    size_t all = n + 2 * GRAIN_SMOOTH_KNOTS;
-    for (size_t k = 0; k < all; k++) {
-        float e = (float)normal_at(t, key, base + k);
-        raw[k] = k ? keep * raw[k - 1] + fresh * e : e;
-    }
-    for (size_t k = 0; k < n; k++) {
-        float sum = 0;
-        for (int i = 0; i <= 2 * GRAIN_SMOOTH_KNOTS; i++)
-            sum += t->smooth[i] * raw[k + (size_t)i];
-        out[k] = sum * t->knot_scale[mode];
-    }
+    return v < low ? low : v > high ? high : v;
 }
 
-static void fill_levels(grain *g, const line_figures *f, const float *coefficient, size_t knots)
+/* One knot: section plus modes, as levels. */
+static void fill_levels(const grain_tables *t, const int16_t coefficient[GRAIN_MODES], uint8_t out[GRAIN_PLACES_PADDED])
+{
+    int16_t m[GRAIN_PLACES_PADDED];
+    memcpy(m, t->section, sizeof m);
+    for (int i = 0; i < GRAIN_MODES; i++) {
+        const int16_t *mode = t->mode[i], a = coefficient[i];
+        for (int j = 0; j < GRAIN_PLACES_PADDED; j++)
+            m[j] = (int16_t)(m[j] + (int16_t)((a * mode[j]) >> 16));
+    }
+    const int16_t round = SECTION_UNIT / GRAIN_LEVEL_UNIT / 2;
+    for (int j = 0; j < GRAIN_PLACES_PADDED; j++) {
+        int16_t v = (int16_t)((m[j] + round) / (SECTION_UNIT / GRAIN_LEVEL_UNIT));
+        v = v > 0 ? v : 0;
+        out[j] = (uint8_t)(v < 255 ? v : 255);
+    }
+    out[0] = out[GRAIN_MODE_PLACES - 1] = 0; /* beyond, there is nothing */
+}
+
+/* Each mode's coefficient goes along its ring of slow numbers from a place of the stroke's own, in a sense of its own. */
+static void make_section(grain *g, const line_figures *f, uint64_t key)
 {
     const grain_tables *t = g->pencil->grain;
-    for (size_t k = 0; k < knots; k++) {
-        float m[GRAIN_PLACES_PADDED];
-        memcpy(m, t->section, sizeof m);
-        for (int i = 0; i < GRAIN_MODES; i++) {
-            float a = (float)f->mode[i] + coefficient[(size_t)i * knots + k];
-            for (int j = 0; j < GRAIN_PLACES_PADDED; j++)
-                m[j] += a * t->mode[i][j];
-        }
-        for (int j = 0; j < GRAIN_MODE_PLACES; j++) {
-            float v = m[j] * GRAIN_LEVEL_UNIT + 0.5f;
-            g->level[k * GRAIN_MODE_PLACES + (size_t)j] = (uint8_t)(v < 0 ? 0 : v > 255 ? 255 : v);
-        }
+    int mean[GRAIN_MODES], sign[GRAIN_MODES];
+    size_t at[GRAIN_MODES], knots = knots_of(g->columns);
+    const int most = (int)(COEFFICIENT_MAX * COEFFICIENT_UNIT);
+    for (int i = 0; i < GRAIN_MODES; i++) {
+        uint64_t bits = random_bits(key, (uint64_t)i);
+        mean[i] = (int)floor(clamp(f->mode[i], -COEFFICIENT_MAX, COEFFICIENT_MAX) * COEFFICIENT_UNIT + 0.5);
+        sign[i] = bits & 1 ? 1 : -1;
+        at[i] = (size_t)(bits >> 32);
     }
-}
-
-static bool make_section(grain *g, const line_figures *f, uint64_t key, error *err)
-{
-    size_t knots = knots_of(g->columns), raw = knots + 2 * GRAIN_SMOOTH_KNOTS;
-    float *room = plb_new(knots * GRAIN_MODES + raw, sizeof *room);
-    if (!room)
-        return plb_fail_memory(err);
-    for (int i = 0; i < GRAIN_MODES; i++)
-        slow_process(g->pencil->grain, i, key, knots, room + knots * GRAIN_MODES, room + knots * (size_t)i);
-    fill_levels(g, f, room, knots);
-    plb_free(room);
-    return true;
+    for (size_t k = 0; k < knots; k++) {
+        int16_t a[GRAIN_MODES];
+        for (int i = 0; i < GRAIN_MODES; i++)
+            a[i] = (int16_t)clamp_int(mean[i] + sign[i] * t->slow[i][(at[i] + k) & (SLOW_LENGTH - 1)], -most, most);
+        fill_levels(t, a, g->level + k * GRAIN_PLACES_PADDED);
+    }
 }
 
 /* ---- 3: the grain ---- */
 
-/* What the rows share: how far they are from the centreline decides how scores are taken there. */
+/* The two states of the chain, low and high: how much of the column before stays, how much is new, in 1/32768; and the
+ * chance that the next column's is high, of 2^32. */
 typedef struct {
-    float place_scale[ROWS_MAX], share[ROWS_MAX]; /* share: of the score, the rest of the plain field */
-} row_figures;
+    int16_t keep[2], fresh[2];
+    uint64_t next[2], first;
+} chain;
 
-static row_figures figures_of_rows(const grain *g)
+static uint64_t chance(double p)
 {
-    const grain_model *m = &g->pencil->profile->grain;
-    row_figures r;
-    for (int k = 0; k < g->rows; k++) {
-        double place = fabs(place_of(g, k - g->rows / 2));
-        float f = (float)plb_interpolate(m->section, GRAIN_SECTION, PROFILE_SECTION_STEP / 2, PROFILE_SECTION_STEP, place);
-        float tz = (float)plb_interpolate(m->place_scale, GRAIN_PLACES, 0.25, 0.5, place);
-        r.place_scale[k] = (float)((1 + ((double)tz - 1) * clamp((f - 0.4) / 0.4, 0, 1)) * GRAIN_SCORE_UNIT);
-        r.share[k] = (float)clamp((f - TAIL_LOW) / TAIL_SPAN, 0, 1);
+    return (uint64_t)(clamp(p, 0, 1) * 4294967296.0);
+}
+
+static chain chain_of(const grain_model *m, const grain_tables *t, const line_figures *f)
+{
+    double p = m->chain_share, rho = m->chain_correlation, own = f->along - (double)m->line_mean[3];
+    chain c = {.next = {chance(p * (1 - rho)), chance(p + rho * (1 - p))}, .first = chance(p)};
+    for (int i = 0; i < 2; i++) {
+        double a = clamp((double)(i ? t->chain_high : t->chain_low) + own, -0.3, 0.95);
+        c.keep[i] = (int16_t)floor(a * 32767 + 0.5);
+        c.fresh[i] = (int16_t)floor(sqrt(1 - a * a) * 32767 + 0.5);
     }
-    return r;
+    return c;
 }
 
-/* A column of white noise: five numbers of 12 bits from each draw. */
-static void fill_noise(const grain_tables *t, uint64_t key, uint64_t column, int n, float *out)
-{
-    for (int r = 0; r < n; r += 5) {
-        uint64_t bits = random_bits(key, column * 32 + (uint64_t)(r / 5));
-        for (int k = r; k < r + 5 && k < n; k++, bits >>= 12)
-            out[k] = t->normal[bits & (GRAIN_NORMALS - 1)];
-    }
-}
-
-/* The chain's coefficient in each column, two states; written over by the reader column by column. */
-static double next_coefficient(const grain_model *g, const line_figures *f, bool *high, double u, bool first)
-{
-    double p = g->chain_share, rho = g->chain_correlation;
-    *high = u < (first ? p : *high ? p + rho * (1 - p) : p * (1 - rho));
-    return clamp((*high ? g->chain_high : g->chain_low) + f->along - g->line_mean[3], -0.3, 0.95);
-}
-
-/* Rows up to the next whole block: what lies beyond the strip's is never looked at. */
-static void filter_column(const float (*tap)[GRAIN_TAPS], float *const noise[GRAIN_TAPS], int rows, float *out)
-{
-    for (int b = 0; b < rows; b += BLOCK) {
-        float sum[BLOCK] = {0};
-        for (int i = 0; i < GRAIN_TAPS; i++)
-            for (int j = 0; j < GRAIN_TAPS; j++) {
-                const float *e = noise[i] + b + j;
-                for (int r = 0; r < BLOCK; r++)
-                    sum[r] += tap[i][j] * e[r];
-            }
-        memcpy(out + b, sum, sizeof sum);
-    }
-}
-
-/* The next column of the chain. */
-static void join_column(float *field, const float *white, float keep, float fresh, int rows)
+/* A column of innovations: what the white noise of the columns about it comes to after the filter. */
+static void add_noise(const int16_t *const from[GRAIN_TAPS], int rows, int16_t *out)
 {
     for (int b = 0; b < rows; b += BLOCK)
         for (int r = b; r < b + BLOCK; r++)
-            field[r] = keep * field[r] + fresh * white[r];
+            out[r] = (int16_t)(from[0][r] + from[1][r] + from[2][r] + from[3][r] + from[4][r]);
 }
 
-static void write_scores(const grain *g, const row_figures *rows, const float *field, float rough, int8_t *out)
+/* The next column of the chain, and the same rounded to bytes. */
+static void join_column(int16_t *state, const int16_t *fresh, int16_t keep, int16_t share, int rows, int8_t *out)
 {
-    const int8_t *score = g->pencil->grain->score;
-    for (int r = 0; r < g->rows; r++) {
-        float x = field[r] * rough * ((GRAIN_MAP - 1) / 16.0f) + GRAIN_MAP / 2 + 0.5f;
-        int k = x < 0 ? 0 : x > GRAIN_MAP - 1 ? GRAIN_MAP - 1 : (int)x;
-        float z = (float)score[k] * (1.0f / GRAIN_SCORE_UNIT) * rows->share[r] + field[r] * (1 - rows->share[r]);
-        z *= rows->place_scale[r];
-        out[r] = (int8_t)(z > 127 ? 127 : z < -127 ? -127 : z < 0 ? z - 0.5f : z + 0.5f);
-    }
+    const int16_t half = NOISE_UNIT / FIELD_UNIT / 2;
+    for (int b = 0; b < rows; b += BLOCK)
+        for (int r = b; r < b + BLOCK; r++) {
+            int16_t halved = (int16_t)((int16_t)((state[r] * keep) >> 16) + (int16_t)((fresh[r] * share) >> 16));
+            state[r] = (int16_t)(2 * halved);
+            int16_t v = (int16_t)((int16_t)(state[r] + half) >> 6);
+            v = v < 127 ? v : 127;
+            out[r] = (int8_t)(v > -127 ? v : -127);
+        }
 }
+_Static_assert(NOISE_UNIT / FIELD_UNIT == 1 << 6 && GRAIN_TAPS == 5, "as the loops above have it");
 
-static void make_grain(grain *g, const line_figures *f, uint64_t noise_key, uint64_t chain_key)
+static void make_grain(grain *g, const line_figures *f, uint64_t key)
 {
     const grain_model *m = &g->pencil->profile->grain;
     const grain_tables *t = g->pencil->grain;
-    const float(*tap)[GRAIN_TAPS] = m->filter[(int)clamp(floor(f->across * 10 + 0.5), 0, GRAIN_CLASSES - 1)];
-    float room[GRAIN_TAPS][NOISE_MAX] = {{0}}, *noise[GRAIN_TAPS], white[ROWS_MAX], field[ROWS_MAX] = {0};
-    row_figures rows = figures_of_rows(g);
-    float rough = (float)exp(f->roughness);
-    bool high = false;
-    for (int i = 0; i < GRAIN_TAPS; i++) {
-        noise[i] = room[i];
-        fill_noise(t, noise_key, (uint64_t)i, g->rows + 2 * TAPS_HALF, noise[i]);
-    }
+    const int16_t(*noise)[NOISE_LENGTH + NOISE_PAD] = t->noise[(int)clamp(floor(f->across * 10 + 0.5), 0, GRAIN_CLASSES - 1)];
+    chain c = chain_of(m, t, f);
+    int16_t state[STRIDE_MAX] = {0}, fresh[STRIDE_MAX];
+    size_t at[GRAIN_TAPS]; /* places in the noise, the oldest column's first */
+    for (int i = 1; i < GRAIN_TAPS; i++)
+        at[i] = random_bits(key, (uint64_t)(i - 1)) & (NOISE_LENGTH - 1);
+    uint64_t threshold = c.first;
     for (int s = 0; s < g->columns; s++) {
-        filter_column(tap, noise, g->rows, white);
-        double a = next_coefficient(m, f, &high, random_unit(chain_key, (uint64_t)s), s == 0);
-        float keep = s ? (float)a : 0, fresh = sqrtf(1 - keep * keep);
-        join_column(field, white, keep, fresh, g->rows);
-        write_scores(g, &rows, field, rough, g->score + (size_t)s * (size_t)g->rows);
-        float *oldest = noise[0];
-        memmove(noise, noise + 1, (GRAIN_TAPS - 1) * sizeof *noise);
-        noise[GRAIN_TAPS - 1] = oldest;
-        fill_noise(t, noise_key, (uint64_t)(s + GRAIN_TAPS), g->rows + 2 * TAPS_HALF, oldest);
+        uint64_t bits = random_bits(key, (uint64_t)(s + GRAIN_TAPS - 1));
+        int high = bits >> 32 < threshold;
+        const int16_t *from[GRAIN_TAPS];
+        threshold = c.next[high];
+        for (int i = 0; i + 1 < GRAIN_TAPS; i++)
+            at[i] = at[i + 1];
+        at[GRAIN_TAPS - 1] = bits & (NOISE_LENGTH - 1);
+        for (int i = 0; i < GRAIN_TAPS; i++)
+            from[i] = noise[i] + at[i];
+        add_noise(from, g->rows, fresh);
+        join_column(state, fresh, s ? c.keep[high] : 0, s ? c.fresh[high] : 32767, g->rows, g->field + (size_t)s * (size_t)g->stride);
     }
 }
 
@@ -297,14 +257,16 @@ static double share_of(grain_end end, double px)
     return end == GRAIN_START ? end_share(starting, px) : end == GRAIN_LEAVE ? end_share(leaving, px) : 1;
 }
 
-static void make_pressure(grain *g, grain_ends ends)
+static void make_ends(grain *g, grain_ends ends)
 {
-    double stretch = g->columns < MEASURED_PX ? MEASURED_PX / g->columns : 1, faded = where_px[8];
-    memset(g->pressure, 255, (size_t)g->columns);
-    for (int s = 0; s < g->columns; s++) {
-        double from_first = (s + 0.5) * stretch, from_last = (g->columns - s - 0.5) * stretch;
-        if (from_first < faded || from_last < faded)
-            g->pressure[s] = (uint8_t)floor(255 * share_of(ends.first, from_first) * share_of(ends.last, from_last) + 0.5);
+    double stretch = g->columns < MEASURED_PX ? MEASURED_PX / g->columns : 1;
+    int n = g->columns, faded = (int)ceil(where_px[8] / stretch);
+    memset(g->ends, 255, (size_t)n);
+    g->plain_first = ends.first == GRAIN_START || ends.first == GRAIN_LEAVE ? faded : 0;
+    g->plain_last = n - 1 - (ends.last == GRAIN_START || ends.last == GRAIN_LEAVE ? faded : 0);
+    for (int s = 0; s < n; s = s == g->plain_first - 1 && s < g->plain_last ? g->plain_last + 1 : s + 1) {
+        double from_first = (s + 0.5) * stretch, from_last = (n - s - 0.5) * stretch;
+        g->ends[s] = (uint8_t)floor(255 * share_of(ends.first, from_first) * share_of(ends.last, from_last) + 0.5);
     }
 }
 
@@ -317,18 +279,18 @@ static int fold_of(int columns, grain_ends ends)
     return ends.first != GRAIN_JOINT ? 0 : fold < 64 ? fold : 64;
 }
 
-/* `g` was made `fold` columns too long. Its first ones lead up to the beginning; its last ones fade over into them: scores
+/* `g` was made `fold` columns too long. Its first ones lead up to the beginning; its last ones fade over into them: the field
  * with weights whose squares sum to 1, levels with weights that do. */
 static void fold_joint(grain *g, int fold)
 {
-    size_t rows = (size_t)g->rows, n = (size_t)(g->columns - fold), places = GRAIN_MODE_PLACES;
+    size_t rows = (size_t)g->stride, n = (size_t)(g->columns - fold), places = GRAIN_PLACES_PADDED;
     for (size_t i = 0; i < (size_t)fold; i++) {
         double w = ((double)i + 0.5) / fold, keep = sqrt(1 - w), join = sqrt(w);
-        int8_t *late = g->score + (n + i) * rows, *early = g->score + i * rows;
+        int8_t *late = g->field + (n + i) * rows, *early = g->field + i * rows;
         for (size_t r = 0; r < rows; r++)
             late[r] = (int8_t)floor(clamp(keep * late[r] + join * early[r], -127, 127) + 0.5);
     }
-    memmove(g->score, g->score + (size_t)fold * rows, n * rows);
+    memmove(g->field, g->field + (size_t)fold * rows, n * rows);
     size_t folded = (size_t)fold / GRAIN_KNOT, knots = n / GRAIN_KNOT;
     for (size_t j = 0; j < folded; j++) {
         double w = ((double)j + 0.5) / (double)folded;
@@ -342,59 +304,16 @@ static void fold_joint(grain *g, int fold)
     g->columns = (int)n;
 }
 
-/* ---- 4: the darkness of a point ---- */
-
-/* Beyond an end that is a corner the line goes on as a half disc. True when there is something; moves both coordinates. */
-static bool enter_cap(const grain *g, double *along, double *across)
-{
-    double out = *along < 0 ? -*along : *along - g->columns;
-    double radius = (double)(*along < 0 ? g->cap_first : g->cap_last);
-    if (out > radius)
-        return *along >= g->columns && out <= 1; /* the last column may be a part of one */
-    *across = *across < 0 ? -hypot(*across, out) : hypot(*across, out);
-    return true;
-}
-
-/* On a page finer than the field each point looks up to half a pixel beside its own, by a hash of its place: the field's
- * pixels get ragged edges instead of square ones (graphite's grain is finer than 300 dpi shows: neighbours at 600 dpi
- * correlate by about a half). */
-static void look_beside(const grain *g, double *along, double *across)
-{
-    uint64_t h = random_mix((uint64_t)(int64_t)floor(*along * 8) * 0x9e3779b97f4a7c15u ^ (uint64_t)(int64_t)floor(*across * 8));
-    *along += (double)g->ragged * ((double)(h & 0xffff) / 32768 - 1);
-    *across += (double)g->ragged * ((double)(h >> 16 & 0xffff) / 32768 - 1);
-}
-
-static inline int darkness(const grain *g, double along, double across)
-{
-    if ((along < 0 || along >= g->columns) && !enter_cap(g, &along, &across))
-        return 0;
-    double exact = across;
-    if (g->ragged > 0)
-        look_beside(g, &along, &across);
-    double row = floor(across + 0.5) + g->rows / 2, place = (place_of(g, exact) + 8) / PROFILE_SECTION_STEP;
-    if (!(row >= 0 && row < g->rows && place >= 0 && place < GRAIN_MODE_PLACES - 1))
-        return 0;
-    int s = along < 0 ? 0 : along >= g->columns ? g->columns - 1 : (int)along, k = (int)place, w = (int)((place - k) * 256);
-    const uint8_t *level = g->level + (size_t)((s + GRAIN_KNOT / 2) / GRAIN_KNOT) * GRAIN_MODE_PLACES + k;
-    int m = ((level[0] * (256 - w) + level[1] * w) * (g->pressure[s] + 1) + (1 << 15)) >> 16;
-    int score = g->score[(size_t)s * (size_t)g->rows + (size_t)row];
-    float d = g->depth * g->pencil->grain->darkness[m > 255 ? 255 : m][(score + 128) >> 1];
-    return d > 255 ? 255 : (int)(d + 0.5f);
-}
-
-static void darkness_of_row(const void *texture, const sample_row *at, uint8_t *out)
-{
-    for (int i = 0; i < at->n; i++)
-        out[i] = (uint8_t)darkness(texture, at->along + i * at->along_step, at->across + i * at->across_step);
-}
+/* ---- all of it ---- */
 
 /* The line's own figures, and what follows from them for its places. */
 static void set_line(grain *g, const line_figures *f, grain_ends ends)
 {
     const grain_model *m = &g->pencil->profile->grain;
     double mean_width = clamp(exp(m->line_mean[1]), 0.5, 200);
-    g->depth = (float)(f->depth / GRAIN_RELATIVE_UNIT);
+    int rough = (int)floor(f->roughness / ROUGH_LOG_STEP + 0.5) + ROUGH_CLASSES / 2;
+    g->bend = g->pencil->grain->bend[clamp_int(rough, 0, ROUGH_CLASSES - 1)];
+    g->depth = (uint32_t)(f->depth * 256);
     g->narrow = (float)(mean_width / f->width);
     g->half_width = (float)(mean_width / 2);
     g->half_reference = m->reference_width / 2;
@@ -412,19 +331,13 @@ bool plb_grain_make(grain *g, double length_px, grain_ends ends, const pencil *p
     g->pencil = p;
     set_line(g, &f, ends);
     int columns = length_px < 1 ? 1 : (int)floor(length_px + 0.5), fold = fold_of(columns, ends);
-    if (!resize(g, columns + fold, rows_of(g), err) || !make_section(g, &f, random_key(seed, identity, PURPOSE_SLOW), err))
+    if (!resize(g, columns + fold, rows_of(g), err))
         return false;
-    make_grain(g, &f, random_key(seed, identity, PURPOSE_GRAIN), random_key(seed, identity, PURPOSE_CHAIN));
+    g->sheet = plb_paper_sheet(seed);
+    make_section(g, &f, random_key(seed, identity, PURPOSE_SLOW));
+    make_grain(g, &f, random_key(seed, identity, PURPOSE_GRAIN));
     if (fold)
         fold_joint(g, fold);
-    make_pressure(g, ends);
+    make_ends(g, ends);
     return true;
-}
-
-shading plb_grain_shading(grain *g, double dpi, double page_dpi)
-{
-    g->ragged = page_dpi > GRAIN_RAGGED_DPI ? 0.5f : 0;
-    double beyond = (double)(g->cap_first > g->cap_last ? g->cap_first : g->cap_last);
-    shading r = {g, darkness_of_row, false, g->rows / 2 + 0.5, beyond, dpi};
-    return r;
 }

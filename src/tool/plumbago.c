@@ -130,6 +130,11 @@ static bool set_hand(void *p, const char *v)
     int i;
     return choose(v, (const char *const[]){"right", "left", "none"}, 3, &i) ? (((settings *)p)->o.handed = (plb_handed)i, true) : false;
 }
+static bool set_paper(void *p, const char *v)
+{
+    int i;
+    return choose(v, (const char *const[]){"medium", "smooth", "rough", "none"}, 4, &i) ? (((settings *)p)->o.paper = (plb_paper)i, true) : false;
+}
 static bool set_background(void *p, const char *v)
 {
     int i;
@@ -201,6 +206,7 @@ static const option table[] = {
     {0, NULL, NULL, "Pencil", NULL},
     {'p', "pencil", "GRADE|FILE", "2H H F HB B 3B 6B 8B or a .pencil file [HB]", set_pencil},
     {0, "list-pencils", NULL, "show the pencils that are built in", set_list_pencils},
+    {0, "paper", "smooth|medium|rough|none", "the tooth of the paper, which all strokes share [medium]", set_paper},
     {0, NULL, NULL, "Hand", NULL},
     {'s', "seed", "SEED", "a number, or 'random': another hand for the same drawing [1]", set_seed},
     {0, "squiggle", "LEN", "how far lines stray; 0: ruler-straight [5/300in: as measured]", set_squiggle},

@@ -130,7 +130,6 @@ differ "--hand none draws otherwise" any.png right.png
 draws "--hand left with hla" --hand left --model hla -o hla-left.png a.svg
 same "hla knows no hands" hla-left.png hla.png
 misused "--hand of another name" hand --hand both a.svg
-
 # ---- the background ----
 draws "--background white" --background white -o white.png a.svg
 same "white is the default background" white.png default.png

@@ -50,13 +50,18 @@ typedef struct {
     grain grain;
 } setup;
 
-static setup prepare(void)
+static setup prepare_on(paper_kind kind)
 {
     setup s = {.profile = profile_for_tests()};
     add_grain(s.profile);
-    s.pencil = plb_pencil_new(s.profile, NULL);
+    s.pencil = plb_pencil_on_paper(s.profile, kind, NULL);
     CHECK(s.pencil);
     return s;
+}
+
+static setup prepare(void)
+{
+    return prepare_on(PAPER_NONE);
 }
 
 static void clean(setup *s)
@@ -303,6 +308,189 @@ static void no_two_strokes_are_alike(void)
     clean(&s);
 }
 
+/* ---- the stroke's own field ---- */
+
+/* The field again, one number after the other: what the loops for vectors must come to, byte for byte. */
+static void spell_out_field(const grain *g, uint64_t key, uint64_t columns, int8_t *out)
+{
+    const grain_model *m = &g->pencil->profile->grain;
+    const grain_tables *t = g->pencil->grain;
+    long keep = lround(m->chain_high * 32767.0), fresh = lround(sqrt(1 - (double)m->chain_high * m->chain_high) * 32767);
+    for (int r = 0; r < g->rows; r++) {
+        long state = 0;
+        for (uint64_t s = 0; s < columns; s++) {
+            long sum = 0;
+            for (uint64_t i = 0; i < GRAIN_TAPS; i++)
+                sum += t->noise[0][i][(random_bits(key, s + i) & (NOISE_LENGTH - 1)) + (uint64_t)r];
+            state = 2 * ((s ? state * keep >> 16 : 0) + (sum * (s ? fresh : 32767) >> 16));
+            long v = (state + 32) >> 6;
+            out[s * (uint64_t)g->rows + (uint64_t)r] = (int8_t)(v > 127 ? 127 : v < -127 ? -127 : v);
+        }
+    }
+}
+
+static void vectors_and_numbers_one_by_one_agree(void)
+{
+    enum { COLUMNS = 300 };
+    static int8_t want[COLUMNS * 100];
+    setup s = prepare();
+    for (uint64_t id = 1; id <= 20; id++) {
+        long wrong = 0;
+        CHECK(plb_grain_make(&s.grain, COLUMNS, FORWARD, s.pencil, 1, id, NULL));
+        spell_out_field(&s.grain, random_key(1, id, PURPOSE_GRAIN), COLUMNS, want);
+        for (int c = 0; c < COLUMNS; c++)
+            for (int r = 0; r < s.grain.rows; r++)
+                wrong += want[c * s.grain.rows + r] != s.grain.field[c * s.grain.stride + r];
+        CHECK(wrong == 0);
+    }
+    clean(&s);
+}
+
+/* A row of samples, whatever its length and direction, is its samples one by one. */
+static void rows_and_single_samples_agree(void)
+{
+    enum { MOST = 200 };
+    static const double steps[][2] = {{1, 0}, {-1, 0}, {0.75, 0.5}, {0, 0.125}, {-0.25, -0.0625}, {0.015625, 1}};
+    setup s = prepare_on(PAPER_MEDIUM);
+    for (uint64_t id = 1; id <= 30; id++) {
+        CHECK(plb_grain_make(&s.grain, 260, id % 2 ? FORWARD : NO_ENDS, s.pencil, 1, id, NULL));
+        shading h = plb_grain_shading(&s.grain, 300, 300);
+        const double *step = steps[id % 6], mm = MM_PER_PAPER_PX;
+        sample_row all = {(int)(1 + id * 37 % MOST), step[0] < 0 ? 230.5 : 12.25, step[0], -4.5, step[1], 3 + 0.5 * mm, 7 + 0.5 * mm, mm};
+        uint8_t together[MOST], alone;
+        h.row(h.texture, &all, together);
+        for (int i = 0; i < all.n; i++) {
+            sample_row one = {1, all.along + i * step[0], step[0], all.across + i * step[1], step[1], all.x + i * mm, all.y, mm};
+            h.row(h.texture, &one, &alone);
+            CHECK(together[i] == alone);
+        }
+    }
+    clean(&s);
+}
+
+/* No section of a stroke comes again in another one: the field's best match between strokes, over all shifts along and
+ * across, is no better than chance (5.5 standard deviations over some 1.6 million comparisons). */
+static void no_section_comes_again(void)
+{
+    enum { STROKES = 60, COLUMNS = 160, WINDOW = 40 };
+    static int8_t field[STROKES][COLUMNS * 40];
+    setup s = prepare();
+    int rows = 0;
+    for (uint64_t id = 0; id < STROKES; id++) {
+        CHECK(plb_grain_make(&s.grain, COLUMNS, NO_ENDS, s.pencil, 1, id + 1, NULL));
+        rows = s.grain.rows;
+        for (int c = 0; c < COLUMNS; c++)
+            memcpy(&field[id][c * rows], s.grain.field + c * s.grain.stride, (size_t)rows);
+    }
+    double best = 0;
+    for (int a = 0; a < STROKES; a++)
+        for (int b = a + 1; b < STROKES; b++)
+            for (int from = 0; from + WINDOW <= COLUMNS; from += 5)
+                for (int aside = -2; aside <= 2; aside++) {
+                    double ab = 0, aa = 0, bb = 0;
+                    for (int k = 0; k < WINDOW * rows - 4; k++) {
+                        double x = field[a][2 + k], y = field[b][from * rows + 2 + aside + k];
+                        ab += x * y;
+                        aa += x * x;
+                        bb += y * y;
+                    }
+                    best = fmax(best, fabs(ab) / sqrt(aa * bb) * sqrt(WINDOW * rows));
+                }
+    CHECK_RANGE(best, 2, 7); /* neighbours correlate by 0.4, which widens chance by a fifth */
+    clean(&s);
+}
+
+/* ---- the paper ---- */
+
+static double sample_at(grain *g, double along, double across, double x, double y)
+{
+    shading s = plb_grain_shading(g, 300, 300);
+    sample_row at = {1, along, 1, across, 0, x, y, MM_PER_PAPER_PX};
+    uint8_t dark;
+    s.row(s.texture, &at, &dark);
+    return dark;
+}
+
+/* What two strokes that go over the same place of the paper have in common there, and one stroke with its own next column:
+ * as captured, whatever the paper has of it. */
+static void correlate_on_paper(paper_kind kind, double *between, double *along)
+{
+    enum { STROKES = 40, COLUMNS = 200 };
+    static double dark[STROKES][COLUMNS];
+    double both = 0, next = 0, squares = 0;
+    setup s = prepare_on(kind);
+    for (uint64_t id = 0; id < STROKES; id++) {
+        CHECK(plb_grain_make(&s.grain, COLUMNS, NO_ENDS, s.pencil, 1, id + 1, NULL));
+        for (int k = 0; k < COLUMNS; k++)
+            dark[id][k] = sample_at(&s.grain, k + 0.5, 0, 11 + (k + 0.5) * MM_PER_PAPER_PX, 5 + (double)(id / 2)) - DEPTH;
+    }
+    for (int id = 0; id < STROKES; id += 2) /* pairs at one place of the page */
+        for (int k = 0; k + 1 < COLUMNS; k++) {
+            both += dark[id][k] * dark[id + 1][k];
+            next += dark[id][k] * dark[id][k + 1];
+            squares += dark[id][k] * dark[id][k];
+        }
+    *between = both / squares;
+    *along = next / squares;
+    clean(&s);
+}
+
+static void strokes_share_the_paper(void)
+{
+    double between[4], along[4];
+    for (int kind = PAPER_NONE; kind <= PAPER_ROUGH; kind++)
+        correlate_on_paper((paper_kind)kind, &between[kind], &along[kind]);
+    CHECK_RANGE(between[PAPER_NONE], -0.05, 0.05);
+    CHECK(between[PAPER_SMOOTH] > 0.08 && between[PAPER_MEDIUM] > between[PAPER_SMOOTH] + 0.08 && between[PAPER_ROUGH] > between[PAPER_MEDIUM] + 0.15);
+    for (int kind = PAPER_NONE; kind <= PAPER_MEDIUM; kind++)
+        CHECK_RANGE(along[kind], 0.34, 0.46);
+}
+
+/* Heights are normal, mean 0 and variance 1, and correlate as said, alike in both directions. */
+static void heights_are_as_said(void)
+{
+    enum { N = 120, ROWS = 400 };
+    static int16_t h[ROWS][N];
+    for (int kind = PAPER_SMOOTH; kind <= PAPER_ROUGH; kind++) {
+        setup s = prepare_on((paper_kind)kind);
+        const paper *p = &s.pencil->grain->paper;
+        paper_sheet sheet = plb_paper_sheet(3);
+        double sum = 0, squares = 0, right = 0, down = 0, n = 0;
+        for (int y = 0; y < ROWS; y++)
+            plb_paper_row(p, &sheet, -20, (y - 100.5) * MM_PER_PAPER_PX, MM_PER_PAPER_PX, N, h[y]);
+        for (int y = 0; y + 1 < ROWS; y++)
+            for (int x = 0; x + 1 < N; x++, n++) {
+                double v = h[y][x] / (double)PAPER_UNIT;
+                sum += v;
+                squares += v * v;
+                right += v * h[y][x + 1] / PAPER_UNIT;
+                down += v * h[y + 1][x] / PAPER_UNIT;
+            }
+        CHECK_RANGE(sum / n, -0.05, 0.05);
+        CHECK_RANGE(squares / n, 0.93, 1.07);
+        CHECK_RANGE(right / squares - p->correlation[1], -0.04, 0.04);
+        CHECK_RANGE(down / squares - p->correlation[1], -0.04, 0.04);
+        clean(&s);
+    }
+}
+
+/* A finer or coarser page sees the same heights. */
+static void heights_do_not_depend_on_the_page(void)
+{
+    setup s = prepare_on(PAPER_MEDIUM);
+    const paper *p = &s.pencil->grain->paper;
+    paper_sheet sheet = plb_paper_sheet(1), other = plb_paper_sheet(2);
+    int16_t usual[60], fine[120], elsewhere[60];
+    double mm = MM_PER_PAPER_PX;
+    plb_paper_row(p, &sheet, 40.5 * mm, 77.5 * mm, mm, 60, usual);
+    plb_paper_row(p, &sheet, 40.25 * mm, 77.75 * mm, mm / 2, 120, fine);
+    plb_paper_row(p, &other, 40.5 * mm, 77.5 * mm, mm, 60, elsewhere);
+    for (int i = 0; i < 60; i++)
+        CHECK(usual[i] == fine[2 * i] && usual[i] == fine[2 * i + 1]);
+    CHECK(memcmp(usual, elsewhere, sizeof usual) != 0);
+    clean(&s);
+}
+
 static void extreme_strokes_are_bounded(void)
 {
     setup s = prepare();
@@ -343,6 +531,12 @@ int main(void)
     RUN(closed_strokes_have_no_seam);
     RUN(corners_are_filled);
     RUN(no_two_strokes_are_alike);
+    RUN(vectors_and_numbers_one_by_one_agree);
+    RUN(rows_and_single_samples_agree);
+    RUN(no_section_comes_again);
+    RUN(strokes_share_the_paper);
+    RUN(heights_are_as_said);
+    RUN(heights_do_not_depend_on_the_page);
     RUN(extreme_strokes_are_bounded);
     RUN(quantiles_are_right);
     CHECK_EXIT;

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The paper's tooth: a field of heights over the page (Sousa & Buchanan, Computer Graphics Forum 19(1), 2000, take a
+ * height field likewise; theirs is scanned, this one is drawn by lot).
+ * Input: the kind of paper, a seed, places in mm on the page. Output: heights with mean 0 and variance 1, normal.
+ *
+ * Two tiles of filtered white noise whose sides are different primes, added: neither repeats visibly, and both together
+ * repeat after some 58,000 texels, five metres. A texel is 1/300 inch whatever the page's resolution.
+ */
+#include "stroke/pencil.h"
+
+#include "base/array.h"
+#include "base/random.h"
+#include "base/units.h"
+
+#include <math.h>
+
+static const int sides[PAPER_TILES] = {251, 233};
+
+/* How much of the grain is the paper's, and the weight of a texel's neighbours in its height, which sets how broad the
+ * hollows are. The first chosen by eye and before the observer, which tells lines on rougher paper from scanned ones more
+ * easily; the second so that heights of medium paper
+ * correlate as the grain of scanned lines does, .3 with the next texel. */
+typedef struct {
+    double share, neighbour;
+} recipe;
+static const recipe recipes[] = {[PAPER_NONE] = {0, 0}, [PAPER_SMOOTH] = {0.15, 0.10}, [PAPER_MEDIUM] = {0.35, 0.17}, [PAPER_ROUGH] = {0.7, 0.28}};
+
+/* White noise along one row of a tile: five numbers of 12 bits from each draw. */
+static void white_row(const float normal[], int tile, int row, float out[PAPER_SIDE_MAX])
+{
+    uint64_t key = random_key((uint64_t)tile, (uint64_t)row, PURPOSE_PAPER);
+    for (int k = 0; k < sides[tile]; k += 5) {
+        uint64_t bits = random_bits(key, (uint64_t)k);
+        for (int i = k; i < k + 5 && i < sides[tile]; i++, bits >>= 12)
+            out[i] = normal[bits & (GRAIN_NORMALS - 1)];
+    }
+}
+
+/* Each element and its two neighbours, `stride` apart on a ring of n. */
+static void filter_ring(const float *in, float *out, int n, int stride, float neighbour)
+{
+    for (int k = 0; k < n; k++) {
+        int before = k ? k - 1 : n - 1, after = k + 1 < n ? k + 1 : 0;
+        out[k * stride] = in[k * stride] + neighbour * (in[before * stride] + in[after * stride]);
+    }
+}
+
+static void write_tile(const float *height, int side, float scale, int8_t out[PAPER_SIDE_MAX][PAPER_SIDE_MAX + PAPER_RUN])
+{
+    for (int y = 0; y < side; y++)
+        for (int x = 0; x < side + PAPER_RUN; x++) {
+            float v = height[y * side + x % side] * scale;
+            out[y][x] = (int8_t)floorf((v > 127 ? 127 : v < -127 ? -127 : v) + 0.5f);
+        }
+}
+
+static void make_tile(paper *p, int tile, float neighbour, const float normal[], float *a, float *b)
+{
+    int side = sides[tile];
+    for (int y = 0; y < side; y++) {
+        float white[PAPER_SIDE_MAX];
+        white_row(normal, tile, y, white);
+        filter_ring(white, a + y * side, side, 1, neighbour);
+    }
+    for (int x = 0; x < side; x++)
+        filter_ring(a + x, b + x, side, side, neighbour);
+    float energy = 1 + 2 * neighbour * neighbour; /* of either filter */
+    write_tile(b, side, PAPER_UNIT / (energy * sqrtf(PAPER_TILES)), p->tile[tile]);
+}
+
+bool plb_paper_make(paper *p, paper_kind kind, const float normal[])
+{
+    const recipe *r = &recipes[kind];
+    double a = r->neighbour, energy = 1 + 2 * a * a;
+    p->share = r->share;
+    p->weight_paper = (int)floor(sqrt(r->share) * 256 + 0.5);
+    p->weight_field = (int)floor(sqrt(1 - r->share) * 256 + 0.5);
+    p->correlation[0] = 1;
+    p->correlation[1] = 2 * a / energy;
+    p->correlation[2] = a * a / energy;
+    float *room = plb_new(2 * PAPER_SIDE_MAX * PAPER_SIDE_MAX, sizeof *room);
+    for (int i = 0; i < PAPER_TILES && room && kind != PAPER_NONE; i++)
+        make_tile(p, i, (float)a, normal, room, room + PAPER_SIDE_MAX * PAPER_SIDE_MAX);
+    plb_free(room);
+    return room != NULL;
+}
+
+paper_sheet plb_paper_sheet(uint64_t seed)
+{
+    paper_sheet s;
+    for (int i = 0; i < PAPER_TILES; i++) {
+        uint64_t bits = random_key(seed, (uint64_t)i, PURPOSE_PAPER);
+        s.x[i] = (int)((bits & 0xffffffff) % (uint64_t)sides[i]);
+        s.y[i] = (int)((bits >> 32) % (uint64_t)sides[i]);
+    }
+    return s;
+}
+
+/* `at` on a ring. */
+static int wrap(double at, int side)
+{
+    double r = at - floor(at / side) * side;
+    return r >= side ? 0 : (int)r;
+}
+
+void plb_paper_row(const paper *p, const paper_sheet *sheet, double x, double y, double step, int n, int16_t *out)
+{
+    double px = x / MM_PER_PAPER_PX, way = step / MM_PER_PAPER_PX, row = floor(y / MM_PER_PAPER_PX);
+    double first = floor(px);
+    const int8_t *from[PAPER_TILES];
+    for (int i = 0; i < PAPER_TILES; i++)
+        from[i] = p->tile[i][wrap(row + sheet->y[i], sides[i])] + wrap(first + sheet->x[i], sides[i]);
+    if (fabs(way - 1) < 1e-9) { /* the page has the paper's resolution */
+        for (int k = 0; k < n; k++)
+            out[k] = (int16_t)(from[0][k] + from[1][k]);
+        return;
+    }
+    float within = (float)(px - first), texels = (float)way;
+    for (int k = 0; k < n; k++) {
+        int at = (int)(within + (float)k * texels);
+        out[k] = (int16_t)(from[0][at] + from[1][at]);
+    }
+}

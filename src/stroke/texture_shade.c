@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The graphite model's darkness at points beside the path (plumbago(7)).
+ * Input: a stroke's grain; evenly spaced points in a row of the page, each with its place in the strip frame. Output: the
+ * darkness of each.
+ *
+ * A point's expected darkness is that of its exact distance from the path; its score is that of the nearest value of
+ * the stroke's field and of the paper's height at its place on the page, each with its share of the variance. Its
+ * darkness is the captured quantile, at that score, of pixels where so much is expected. (Interpolated values would lose
+ * half the grain's spread.) Rows are read in runs, each in a few passes that have no branch and no division.
+ */
+#include "base/random.h"
+#include "stroke/pencil.h"
+
+#include <math.h>
+#include <string.h>
+
+#define RUN 64
+/* The shares of field and paper are weights of so many bits. */
+#define SHARE_BITS 8
+
+/* Where a run's points are. */
+typedef struct {
+    int n;
+    int32_t column[RUN], row[RUN]; /* of the field */
+    int32_t place[RUN];            /* of the section, 256 to a step */
+} run;
+
+/* ---- places ---- */
+
+/* The profile's place, px, of a point `across` px from the centreline. A line's own width stretches the whole section; the
+ * width that a pencil was assigned stretches its core only: flanks and the dust beside them stay as steep as scanned. */
+static inline float place_of(const grain *g, float across)
+{
+    float x = fabsf(across) * g->narrow, beyond = x - g->half_width;
+    float place = (x - (beyond > 0 ? beyond : 0)) * (g->half_reference / g->half_width) + (beyond > 0 ? beyond : 0);
+    return across < 0 ? -place : place;
+}
+
+#define PLACE_UNIT (256 / (float)PROFILE_SECTION_STEP)
+#define PLACE_LAST ((GRAIN_MODE_PLACES - 1) * 256 - 1)
+
+static inline void locate(const grain *g, float along, float across, float exact, int first, int i, run *r)
+{
+    float place = (place_of(g, exact) + 8) * PLACE_UNIT, row = across + (float)(g->rows / 2) + 0.5f;
+    place = place < 0 ? 0 : place;
+    row = row < 0 ? 0 : row;
+    int column = (int)along + first;
+    r->column[i] = column < g->columns ? column : g->columns - 1;
+    r->row[i] = (int)(row < (float)g->rows ? row : (float)(g->rows - 1));
+    r->place[i] = (int)(place < PLACE_LAST ? place : PLACE_LAST);
+}
+
+/* All points lie beside the line: `along` from its first column on. */
+static void locate_run(const grain *g, const sample_row *at, int from, run *r)
+{
+    double low = at->along + from * at->along_step, high = at->along + (from + r->n - 1) * at->along_step;
+    int first = (int)(low < high ? low : high);
+    float along = (float)(low - first), step = (float)at->along_step;
+    float across = (float)(at->across + from * at->across_step), aside = (float)at->across_step;
+    for (int i = 0; i < r->n; i++)
+        locate(g, along + (float)i * step, across + (float)i * aside, across + (float)i * aside, first, i, r);
+}
+
+/* Beyond an end that is a corner the line goes on as a half disc. True when there is something; moves both coordinates. */
+static bool enter_cap(const grain *g, double *along, double *across)
+{
+    double out = *along < 0 ? -*along : *along - g->columns;
+    double radius = (double)(*along < 0 ? g->cap_first : g->cap_last);
+    bool is_part = *along >= g->columns && out <= 1; /* the last column may be a part of one */
+    if (!(out <= radius) && !is_part)
+        return false;
+    if (out <= radius)
+        *across = *across < 0 ? -hypot(*across, out) : hypot(*across, out);
+    *along = *along < 0 ? 0 : g->columns - 1;
+    return true;
+}
+
+/* On a page finer than the field each point looks up to half a pixel beside its own, by a hash of its place: the field's
+ * pixels get ragged edges instead of square ones (graphite's grain is finer than 300 dpi shows: neighbours at 600 dpi
+ * correlate by about a half). */
+static void look_beside(const grain *g, double *along, double *across)
+{
+    uint64_t h = random_mix((uint64_t)(int64_t)floor(*along * 8) * 0x9e3779b97f4a7c15u ^ (uint64_t)(int64_t)floor(*across * 8));
+    *along += (double)g->ragged * ((double)(h & 0xffff) / 32768 - 1);
+    *across += (double)g->ragged * ((double)(h >> 16 & 0xffff) / 32768 - 1);
+}
+
+/* Points one by one: near the ends, and on fine pages. */
+static void locate_one_by_one(const grain *g, const sample_row *at, int from, run *r)
+{
+    for (int i = 0; i < r->n; i++) {
+        double along = at->along + (from + i) * at->along_step, across = at->across + (from + i) * at->across_step;
+        bool there = (along >= 0 && along < g->columns) || enter_cap(g, &along, &across);
+        double exact = across;
+        if (g->ragged > 0 && there)
+            look_beside(g, &along, &across);
+        along = along < 0 || !there ? 0 : along >= g->columns ? g->columns - 1 : along;
+        int first = (int)along;
+        locate(g, (float)(along - first), there ? (float)across : 0, there ? (float)exact : 100, first, i, r);
+        if (!there)
+            r->place[i] = 0; /* where no darkness is ever expected */
+    }
+}
+
+static bool is_beside_line(const grain *g, const sample_row *at, int from, int n)
+{
+    double low = at->along + from * at->along_step, high = at->along + (from + n - 1) * at->along_step;
+    return low >= 0 && high >= 0 && low < g->columns && high < g->columns && !(g->ragged > 0);
+}
+
+/* ---- darkness ---- */
+
+/* The expected levels and the values of the stroke's field. */
+static void gather(const grain *g, const run *r, int16_t level[RUN], int16_t field[RUN])
+{
+    for (int i = 0; i < r->n; i++) {
+        const uint8_t *l = g->level + (size_t)((r->column[i] + GRAIN_KNOT / 2) / GRAIN_KNOT) * GRAIN_PLACES_PADDED + (r->place[i] >> 8);
+        int w = r->place[i] & 255;
+        level[i] = (int16_t)((l[0] * (256 - w) + l[1] * w + 128) >> 8);
+        field[i] = g->field[(size_t)r->column[i] * (size_t)g->stride + (size_t)r->row[i]];
+    }
+}
+
+static void press(const grain *g, const run *r, int16_t level[RUN])
+{
+    for (int i = 0; i < r->n; i++)
+        level[i] = (int16_t)((level[i] * (g->ends[r->column[i]] + 1) + 128) >> 8);
+}
+
+/* Adds the paper's share. */
+static void lay_on_paper(const grain *g, const sample_row *at, int from, int n, int16_t field[RUN])
+{
+    const paper *p = &g->pencil->grain->paper;
+    int16_t height[RUN];
+    plb_paper_row(p, &g->sheet, at->x + from * at->step, at->y, at->step, n, height);
+    for (int i = 0; i < n; i++)
+        field[i] = (int16_t)((field[i] * p->weight_field + height[i] * p->weight_paper + (1 << (SHARE_BITS - 1))) >> SHARE_BITS);
+}
+
+static void write_darkness(const grain *g, int n, const int16_t level[RUN], const int16_t field[RUN], uint8_t *out)
+{
+    const grain_tables *t = g->pencil->grain;
+    for (int i = 0; i < n; i++) {
+        int f = field[i] < -128 ? -128 : field[i] > 127 ? 127 : field[i];
+        int z = f + ((g->bend[f + 128] * t->share[level[i]]) >> 8) + 128;
+        z = z < 0 ? 0 : z > 255 ? 255 : z;
+        uint32_t d = (g->depth * t->darkness[level[i]][z >> 1] + (1u << 19)) >> 20;
+        out[i] = (uint8_t)(d > 255 ? 255 : d);
+    }
+}
+_Static_assert(GRAIN_RELATIVE_UNIT == 1 << 12, "depth has 8 fractional bits, darkness 12");
+
+static void shade_run(const grain *g, const sample_row *at, int from, int n, uint8_t *out)
+{
+    run r;
+    int16_t level[RUN], field[RUN];
+    r.n = n;
+    if (is_beside_line(g, at, from, n))
+        locate_run(g, at, from, &r);
+    else
+        locate_one_by_one(g, at, from, &r);
+    gather(g, &r, level, field);
+    if (r.column[0] < g->plain_first || r.column[0] > g->plain_last || r.column[n - 1] < g->plain_first || r.column[n - 1] > g->plain_last)
+        press(g, &r, level);
+    if (g->pencil->grain->paper.share > 0)
+        lay_on_paper(g, at, from, n, field);
+    write_darkness(g, n, level, field, out);
+}
+
+static void shade(const void *texture, const sample_row *at, uint8_t *out)
+{
+    for (int i = 0; i < at->n; i += RUN)
+        shade_run(texture, at, i, at->n - i < RUN ? at->n - i : RUN, out + i);
+}
+
+shading plb_grain_shading(grain *g, double dpi, double page_dpi)
+{
+    g->ragged = page_dpi > GRAIN_RAGGED_DPI ? 0.5f : 0;
+    double beyond = (double)(g->cap_first > g->cap_last ? g->cap_first : g->cap_last);
+    shading r = {g, shade, false, g->rows / 2 + 0.5, beyond, dpi};
+    return r;
+}
