@@ -61,5 +61,6 @@ plan_options plb_api_plan_options(const plb_options *o)
     how.fill = fills[o->fill];
     how.pencil_width = width_of(o);
     how.seed = o->seed;
+    how.colour = o->colour;
     return how;
 }

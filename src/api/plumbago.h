@@ -143,6 +143,7 @@ typedef struct {
     plb_fill fill;              /* what becomes of filled shapes; default hatch */
     plb_text text;              /* what becomes of lettering; default hand */
     plb_background background;  /* default white */
+    bool colour;                /* each stroke with a pencil of its own colour; default false: all graphite */
     int threads;                /* at most so many, up to 64; 0, the default: as many as there are processors */
     int compress;               /* how small files are made: 0, not, to 9; default 1 */
     unsigned page;              /* which page of a file with several, from 1; 0, the default: the first, and a warning when

@@ -18,6 +18,12 @@
 #define STROKES_PER_MEMBER 50
 #define PIXELS_PER_MEMBER 1e6
 
+/* A thread's pencil on the page. */
+typedef struct {
+    page *page;
+    pigment with;
+} layer;
+
 typedef struct {
     const plb_drawing *d;
     const plb_options *o;
@@ -25,6 +31,7 @@ typedef struct {
     page *page;
     const uint32_t *index; /* the band's strokes */
     size_t n, band, bands;
+    layer layer[TEAM_MAX];
     stroke_scratch scratch[TEAM_MAX];
     error err[TEAM_MAX];
 } crew;
@@ -44,21 +51,32 @@ bool plb_page_plan(const plb_drawing *d, const plb_options *o, page_plan *plan, 
     if (!plb_page_size(d->list.width * px, d->list.height * px, &plan->width, &plan->height, &why))
         return plb_fail(err, why.kind, "%s: %s", d->name, why.text);
     plan->rows = plan->height;
+    plan->planes = o->colour ? PIGMENT_PLANES : 1;
     plan->members = members_for(d, o, (double)plan->width * plan->height);
     return true;
 }
 
 void plb_page_plan_rows(page_plan *plan, int multiple)
 {
-    size_t rows = BAND_BYTES / sizeof(uint16_t) / (size_t)plan->width, m = (size_t)multiple;
+    size_t rows = BAND_BYTES / sizeof(uint16_t) / (size_t)plan->planes / (size_t)plan->width, m = (size_t)multiple;
     rows = rows < m ? m : rows / m * m;
     plan->rows = rows < (size_t)plan->height ? (int)rows : plan->height;
 }
 
 static bool lay(void *closure, const patch *p)
 {
-    plb_page_lay(closure, p);
+    layer *l = closure;
+    plb_page_lay(l->page, p, &l->with);
     return true;
+}
+
+static bool draw_stroke(crew *c, int member, const stroke *s)
+{
+    layer *l = &c->layer[member];
+    if (l->page != c->page || s->touch.colour != l->with.colour)
+        plb_pigment_init(&l->with, c->page->ink, s->touch.colour);
+    l->page = c->page;
+    return plb_stroke_draw(&c->d->strokes, s, &c->how, &c->scratch[member], lay, l, &c->err[member]);
 }
 
 static void report(const plb_options *o, double done)
@@ -70,11 +88,10 @@ static void report(const plb_options *o, double done)
 static bool draw_batch(void *closure, int member, size_t batch)
 {
     crew *c = closure;
-    const stroke_list *list = &c->d->strokes;
     if (member == 0)
         report(c->o, ((double)c->band + (double)(batch * BATCH) / (double)c->n) / (double)c->bands);
     for (size_t i = batch * BATCH; i < (batch + 1) * BATCH && i < c->n; i++)
-        if (!plb_stroke_draw(list, &list->strokes.v[c->index[i]], &c->how, &c->scratch[member], lay, c->page, &c->err[member]))
+        if (!draw_stroke(c, member, &c->d->strokes.strokes.v[c->index[i]]))
             return false;
     return true;
 }
@@ -111,7 +128,7 @@ bool plb_render(const plb_drawing *d, const plb_options *o, const drawing_tools 
     page p;
     band_strokes bands = {0};
     crew *c = plb_new(1, sizeof *c);
-    bool ok = plb_page_init(&p, plan->width, plan->height, plan->rows, &t->ink, err) &&
+    bool ok = plb_page_init(&p, plan->width, plan->height, plan->rows, o->colour, &t->ink, err) &&
               plb_bands_init(&bands, &d->strokes, &t->stroke, plan->height, plan->rows, plan->members, err);
     if (ok && c) {
         *c = (crew){.d = d, .o = o, .how = t->stroke, .page = &p, .bands = bands.n};

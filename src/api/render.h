@@ -15,6 +15,7 @@ typedef bool (*band_sink)(void *closure, const page *band, error *err);
 typedef struct {
     int width, height; /* of the page, pixels */
     int rows;          /* of a band */
+    int planes;        /* of deposits: see page.h */
     int members;       /* threads */
 } page_plan;
 

@@ -59,7 +59,7 @@ static bool draw_into(FILE *to, const plb_drawing *d, const plb_options *o, pict
 
 static bool write_picture(const plb_drawing *d, const char *file, picture_format format, const plb_options *o, error *err)
 {
-    picture_options how = {.format = format, .background = background_of(o), .dpi = o->dpi, .level = o->compress};
+    picture_options how = {.format = format, .background = background_of(o), .colour = o->colour, .dpi = o->dpi, .level = o->compress};
     how.width_mm = d->list.width;
     how.height_mm = d->list.height;
     output out;
@@ -95,9 +95,7 @@ typedef struct {
 static bool copy_band(void *closure, const page *band, error *err)
 {
     const surface_target *to = closure;
-    (void)err;
-    plb_page_to_cairo(band, to->background, to->surface);
-    return true;
+    return plb_page_to_cairo(band, to->background, to->surface) || plb_fail_memory(err);
 }
 
 static cairo_surface_t *draw_surface(const plb_drawing *d, const plb_options *o, const drawing_tools *t, error *err)

@@ -31,6 +31,32 @@ static int darkest_of(const profile *p)
     return darkest < DARKEST_POSSIBLE ? DARKEST_POSSIBLE : darkest;
 }
 
+static uint8_t grey_of(const graphite *g, double depth, int deposit)
+{
+    return (uint8_t)floor(g->darkest + depth * exp(-deposit * DEPOSIT_UNIT) + 0.5);
+}
+
+/* The greys fall in steps: only where they do needs to be found. */
+static void tabulate_greys(graphite *g, double depth)
+{
+    for (int d = 0; d < 65536;) {
+        int last = d, beyond = 65536; /* `last` has this grey, `beyond` has not */
+        uint8_t grey = grey_of(g, depth, d);
+        for (int step = 1; last + step < 65536 && beyond == 65536; step *= 2) {
+            if (grey_of(g, depth, last + step) == grey)
+                last += step;
+            else
+                beyond = last + step;
+        }
+        while (beyond - last > 1) {
+            int middle = (last + beyond) / 2;
+            *(grey_of(g, depth, middle) == grey ? &last : &beyond) = middle;
+        }
+        memset(g->grey + d, grey, (size_t)(beyond - d));
+        d = beyond;
+    }
+}
+
 void plb_graphite_init(graphite *g, const profile *p)
 {
     int darkest = darkest_of(p);
@@ -41,8 +67,24 @@ void plb_graphite_init(graphite *g, const profile *p)
         double units = left > 0 ? -log(left) / DEPOSIT_UNIT : 65535;
         g->deposit[v] = (uint16_t)(units > 65535 ? 65535 : floor(units + 0.5));
     }
-    for (int d = 0; d < 65536; d++)
-        g->grey[d] = (uint8_t)floor(darkest + depth * exp(-d * DEPOSIT_UNIT) + 0.5);
+    tabulate_greys(g, depth);
+}
+
+/* Coloured pencils cover better than graphite of the same pressure does (chosen by eye). */
+#define COVER 1.35
+
+void plb_pigment_init(pigment *p, const graphite *g, uint32_t colour)
+{
+    double depth = 255.0 - g->darkest;
+    p->colour = colour;
+    for (int k = 0; k < PIGMENT_PLANES; k++) {
+        double taken = 255.0 - (colour >> (16 - 8 * k) & 255); /* of this component's light, by full cover */
+        for (int v = 0; v < 256; v++) {
+            double cover = fmin(1, COVER * (255 - v) / depth), left = fmax(1 - cover * taken / depth, 0);
+            double units = left > 0 ? -log(left) / DEPOSIT_UNIT : 65535;
+            p->deposit[k][v] = colour ? (uint16_t)fmin(floor(units + 0.5), 65535) : g->deposit[v];
+        }
+    }
 }
 
 bool plb_page_size(double width_px, double height_px, int *width, int *height, error *err)
@@ -65,12 +107,12 @@ static void begin_band(page *p, int top)
         p->marked[y] = (row_extent){p->width, 0};
 }
 
-bool plb_page_init(page *p, int width, int height, int rows, const graphite *ink, error *err)
+bool plb_page_init(page *p, int width, int height, int rows, bool colour, const graphite *ink, error *err)
 {
     memset(p, 0, sizeof *p);
     rows = rows > height ? height : rows;
-    *p = (page){.width = width, .height = height, .most_rows = rows, .ink = ink};
-    p->deposit = plb_new((size_t)width * (size_t)rows, sizeof *p->deposit);
+    *p = (page){.width = width, .height = height, .most_rows = rows, .planes = colour ? PIGMENT_PLANES : 1, .ink = ink};
+    p->deposit = plb_new((size_t)width * (size_t)rows, (size_t)p->planes * sizeof *p->deposit);
     p->marked = plb_new((size_t)rows, sizeof *p->marked);
     p->lock = plb_new((size_t)(rows / STRIPE + 1), sizeof *p->lock);
     if (!p->deposit || !p->marked || !p->lock)
@@ -92,9 +134,9 @@ void plb_page_free(page *p)
     memset(p, 0, sizeof *p);
 }
 
-static uint16_t *row_of(const page *p, int y)
+static uint16_t *row_of(const page *p, int plane, int y)
 {
-    return p->deposit + (size_t)(y - p->top) * (size_t)p->width;
+    return p->deposit + ((size_t)plane * (size_t)p->most_rows + (size_t)(y - p->top)) * (size_t)p->width;
 }
 
 bool plb_page_next_band(page *p)
@@ -103,8 +145,8 @@ bool plb_page_next_band(page *p)
         return false;
     for (int y = p->top; y < p->top + p->rows; y++) {
         row_extent e = p->marked[y - p->top];
-        if (e.from < e.to)
-            memset(row_of(p, y) + e.from, 0, (size_t)(e.to - e.from) * sizeof *p->deposit);
+        for (int k = 0; e.from < e.to && k < p->planes; k++)
+            memset(row_of(p, k, y) + e.from, 0, (size_t)(e.to - e.from) * sizeof *p->deposit);
     }
     begin_band(p, p->top + p->rows);
     return true;
@@ -119,11 +161,11 @@ static void lay_row(const uint16_t deposit[256], const uint8_t *grey, uint16_t *
 }
 
 /* Rows y0 to y1 of the page, all in one stripe. */
-static void lay_rows(page *p, const patch *from, int y0, int y1)
+static void lay_rows(page *p, const patch *from, const pigment *with, int y0, int y1)
 {
     for (int y = y0; y < y1; y++) {
         if (y + AHEAD < y1)
-            __builtin_prefetch(row_of(p, y + AHEAD) + from->x + from->from[y + AHEAD - from->y], 1);
+            __builtin_prefetch(row_of(p, 0, y + AHEAD) + from->x + from->from[y + AHEAD - from->y], 1);
         int x0 = from->x + from->from[y - from->y], x1 = from->x + from->to[y - from->y];
         x0 = x0 < 0 ? 0 : x0;
         x1 = x1 > p->width ? p->width : x1;
@@ -132,41 +174,22 @@ static void lay_rows(page *p, const patch *from, int y0, int y1)
         row_extent *e = &p->marked[y - p->top];
         e->from = x0 < e->from ? x0 : e->from;
         e->to = x1 > e->to ? x1 : e->to;
-        lay_row(p->ink->deposit, from->grey + (y - from->y) * from->width + (x0 - from->x), row_of(p, y) + x0, x1 - x0);
+        const uint8_t *grey = from->grey + (y - from->y) * from->width + (x0 - from->x);
+        for (int k = 0; k < p->planes; k++)
+            lay_row(p->planes > 1 ? with->deposit[k] : p->ink->deposit, grey, row_of(p, k, y) + x0, x1 - x0);
     }
 }
 
-void plb_page_lay(page *p, const patch *from)
+void plb_page_lay(page *p, const patch *from, const pigment *with)
 {
     int foot = p->top + p->rows, y1 = from->y + from->height < foot ? from->y + from->height : foot;
     for (int y = from->y < p->top ? p->top : from->y; y < y1;) {
         int stripe = (y - p->top) / STRIPE, end = p->top + (stripe + 1) * STRIPE;
         end = end < y1 ? end : y1;
         pthread_mutex_lock(&p->lock[stripe]);
-        lay_rows(p, from, y, end);
+        lay_rows(p, from, with, y, end);
         pthread_mutex_unlock(&p->lock[stripe]);
         y = end;
     }
 }
 
-int plb_page_channels(page_background background)
-{
-    return background == PAGE_WHITE ? 1 : 2;
-}
-
-void plb_page_row(const page *p, page_background background, int y, uint8_t *out)
-{
-    row_extent e = p->marked[y - p->top];
-    const uint16_t *from = row_of(p, y);
-    int darkest = p->ink->darkest, depth = 255 - darkest, channels = plb_page_channels(background);
-    memset(out, background == PAGE_WHITE ? 255 : 0, (size_t)p->width * (size_t)channels);
-    if (background == PAGE_WHITE) {
-        for (int x = e.from; x < e.to; x++)
-            out[x] = p->ink->grey[from[x]];
-        return;
-    }
-    for (int x = 0; x < p->width; x++) {
-        out[2 * x] = (uint8_t)darkest;
-        out[2 * x + 1] = (uint8_t)(((255 - p->ink->grey[from[x]]) * 255 + depth / 2) / depth);
-    }
-}

@@ -25,6 +25,16 @@ typedef struct {
 
 void plb_graphite_init(graphite *g, const profile *p);
 
+/* A coloured pencil: the deposits that a grey of the texture leaves in red, green and blue. Layers mix as light that is
+ * taken away: yellow over blue is green. */
+#define PIGMENT_PLANES 3
+typedef struct {
+    uint32_t colour; /* 0xRRGGBB; 0: graphite */
+    uint16_t deposit[PIGMENT_PLANES][256];
+} pigment;
+
+void plb_pigment_init(pigment *p, const graphite *g, uint32_t colour);
+
 /* Columns [from, to) of a row may hold graphite, others hold none. */
 typedef struct {
     int from, to;
@@ -34,7 +44,8 @@ typedef struct {
     int width, height;   /* of the whole page, pixels */
     int top, rows;       /* the band in memory: rows [top, top + rows) */
     int most_rows;       /* that a band can have */
-    uint16_t *deposit;   /* row by row */
+    int planes;          /* 1: grey, 3: red, green, blue */
+    uint16_t *deposit;   /* plane by plane, row by row */
     row_extent *marked;  /* of each row */
     pthread_mutex_t *lock; /* of each stripe of rows */
     int locks;
@@ -46,26 +57,27 @@ typedef struct {
 
 /* Whole pixels of a page of so many; false and `err` when it is too large. */
 bool plb_page_size(double width_px, double height_px, int *width, int *height, error *err);
-/* A page with a first band of at most `rows`, blank. False and `err` when out of memory; free it then, too. */
-bool plb_page_init(page *p, int width, int height, int rows, const graphite *ink, error *err);
+/* A page, grey or in colour, with a first band of at most `rows`, blank. False and `err` when out of memory; free it then, too. */
+bool plb_page_init(page *p, int width, int height, int rows, bool colour, const graphite *ink, error *err);
 void plb_page_free(page *p);
 /* On to the band below, blank; false at the foot of the page. */
 bool plb_page_next_band(page *p);
-/* Lays a patch; what lies outside the band is lost. May be called by several threads. */
-void plb_page_lay(page *p, const patch *from);
+/* Lays a patch of the pigment, on a grey page of graphite; what lies outside the band is lost. May be called by several
+ * threads. */
+void plb_page_lay(page *p, const patch *from, const pigment *with);
 
 typedef enum { PAGE_WHITE, PAGE_TRANSPARENT } page_background;
 
-/* The bytes of a pixel in pictures with this background: grey, or grey and alpha. */
-int plb_page_channels(page_background background);
+/* The bytes of a pixel in pictures with this background: grey or red, green and blue; and alpha. */
+int plb_page_channels(page_background background, bool colour);
 /* Row y of the page, in the band, as such bytes. Graphite on nothing is of one grey, the darkest, more or less opaque: over
- * white it looks as the opaque page does. */
+ * white it looks as the opaque page does. So it is with colours, as opaque as their strongest component needs. */
 void plb_page_row(const page *p, page_background background, int y, uint8_t *out);
 
 /* A cairo image surface, ARGB32, for the page. The caller destroys it. NULL and `err` when cairo makes none so large. */
 cairo_surface_t *plb_page_surface_new(int width, int height, error *err);
-/* Copies the band at hand to its place there. */
-void plb_page_to_cairo(const page *p, page_background background, cairo_surface_t *to);
+/* Copies the band at hand to its place there. False when out of memory. */
+bool plb_page_to_cairo(const page *p, page_background background, cairo_surface_t *to);
 /* Lays a patch straight onto a cairo image surface, darkening it. */
 bool plb_lay_on_cairo(cairo_surface_t *surface, const graphite *ink, const patch *from);
 

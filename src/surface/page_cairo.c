@@ -4,6 +4,8 @@
  */
 #include "surface/page.h"
 
+#include "base/array.h"
+
 #include <string.h>
 
 cairo_surface_t *plb_page_surface_new(int width, int height, error *err)
@@ -17,24 +19,31 @@ cairo_surface_t *plb_page_surface_new(int width, int height, error *err)
     return NULL;
 }
 
-void plb_page_to_cairo(const page *p, page_background background, cairo_surface_t *to)
+/* A pixel of a picture's row as cairo has it, premultiplied. */
+static uint32_t pixel_of(const uint8_t *from, int channels)
+{
+    bool grey = channels < PIGMENT_PLANES;
+    uint32_t alpha = channels % 2 ? 255 : from[channels - 1], v = alpha;
+    for (int k = 0; k < PIGMENT_PLANES; k++)
+        v = v << 8 | (from[grey ? 0 : k] * alpha + 127) / 255;
+    return v;
+}
+
+bool plb_page_to_cairo(const page *p, page_background background, cairo_surface_t *to)
 {
     unsigned char *data = cairo_image_surface_get_data(to);
     size_t stride = (size_t)cairo_image_surface_get_stride(to);
-    uint32_t darkest = (uint32_t)p->ink->darkest, depth = 255 - darkest;
-    for (int y = 0; y < p->rows; y++) {
+    int channels = plb_page_channels(background, p->planes > 1);
+    uint8_t *bytes = plb_new((size_t)p->width, (size_t)channels);
+    for (int y = 0; bytes && y < p->rows; y++) {
         uint32_t *row = (uint32_t *)(void *)(data + (size_t)(p->top + y) * stride);
-        for (int x = 0; x < p->width; x++) {
-            uint32_t grey = p->ink->grey[p->deposit[(size_t)y * (size_t)p->width + (size_t)x]];
-            uint32_t alpha = 255;
-            if (background == PAGE_TRANSPARENT) {
-                alpha = ((255 - grey) * 255 + depth / 2) / depth;
-                grey = (darkest * alpha + 127) / 255; /* premultiplied */
-            }
-            row[x] = alpha << 24 | grey << 16 | grey << 8 | grey;
-        }
+        plb_page_row(p, background, p->top + y, bytes);
+        for (int x = 0; x < p->width; x++)
+            row[x] = pixel_of(bytes + channels * x, channels);
     }
     cairo_surface_mark_dirty(to);
+    plb_free(bytes);
+    return bytes != NULL;
 }
 
 /* One premultiplied channel `c` of a pixel with opacity `a`, under graphite of grey `g` and opacity `t`, all 0 to 255:

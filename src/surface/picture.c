@@ -40,7 +40,7 @@ static page_background rows_background(const picture_options *o)
 
 int plb_picture_rows(int width, const picture_options *o)
 {
-    size_t n = PIECE_BYTES / row_bytes(width, plb_page_channels(rows_background(o)));
+    size_t n = PIECE_BYTES / row_bytes(width, plb_page_channels(rows_background(o), o->colour));
     return n < 1 ? 1 : (int)n;
 }
 
@@ -72,7 +72,7 @@ picture *plb_picture_new(int width, int height, const picture_options *o, FILE *
         return NULL;
     }
     *p = (picture){.o = o, .width = width, .height = height, .to = to, .name = name, .checksum = 1};
-    p->channels = plb_page_channels(rows_background(o));
+    p->channels = plb_page_channels(rows_background(o), o->colour);
     p->piece_rows = plb_picture_rows(width, o);
     errno = 0;
     if (formats[o->format].head(p) && put_data(p, zlib_head, sizeof zlib_head))

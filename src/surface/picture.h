@@ -16,6 +16,7 @@ typedef enum { PICTURE_PNG, PICTURE_PDF } picture_format;
 typedef struct {
     picture_format format;
     page_background background;
+    bool colour;
     double dpi, width_mm, height_mm;
     int level;   /* of compression, 0 to 9 */
     int members; /* threads that may compress */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PNG (RFC 2083): 8-bit grey, or grey with alpha. Written here rather than by libpng, which takes one row after the other.
+ * PNG (RFC 2083): 8 bits of grey, or of red, green and blue, with alpha or without. Written here rather than by libpng, which takes one row after the other.
  */
 #include "surface/picture_formats.h"
 
@@ -38,7 +38,7 @@ static bool put_texts(picture *p, const char *const *pairs)
 
 bool plb_png_head(picture *p)
 {
-    static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, colour_types[] = {0, 0, 4};
+    static const uint8_t signature[8] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n'}, colour_types[] = {0, 0, 4, 2, 6};
     uint8_t head[13] = {0}, physical[9] = {0};
     store32(head, (uint32_t)p->width);
     store32(head + 4, (uint32_t)p->height);

@@ -147,6 +147,7 @@ static bool parse_int(const char *text, int most, int *value)
     *value = ok ? (int)v : *value;
     return ok;
 }
+static bool set_colour(void *p, const char *v) { return (void)v, ((settings *)p)->o.colour = true; }
 static bool set_threads(void *p, const char *v) { return parse_int(v, 64, &((settings *)p)->o.threads) && *v != '0'; }
 static bool set_compress(void *p, const char *v) { return parse_int(v, 9, &((settings *)p)->o.compress); }
 static bool set_page(void *p, const char *v)
@@ -215,6 +216,7 @@ static const option table[] = {
     {0, NULL, NULL, "What is drawn", NULL},
     {0, "fill", "hatch|outline|none", "what becomes of filled shapes [hatch]", set_fill},
     {0, "text", "hand|outline|none", "what becomes of lettering [hand]", set_text},
+    {0, "colour", NULL, "each line with a pencil of its own colour [all graphite]", set_colour},
     {0, "hand", "right|left|none", "which hand draws; none: all directions alike [right]", set_hand},
     {0, NULL, NULL, "Work", NULL},
     {0, "threads", "N", "at most N threads, 1 to 64 [as many as processors]", set_threads},

@@ -39,3 +39,18 @@ if command -v gs >/dev/null; then
     gs -q -dNOPAUSE -dBATCH -dPDFSTOPONERROR -dPDFSTOPONWARNING -sDEVICE=pnggray -r72 -o gs.png x.pdf >"$TMP/said" 2>&1
     if [ -s gs.png ] && [ ! -s "$TMP/said" ]; then ok "another reader has no complaint"; else fail "another reader has no complaint" "$(head -n 1 "$TMP/said")"; fi
 fi
+
+# ---- colour ----
+cat >c.svg <<'END'
+<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="30mm" viewBox="0 0 40 30" fill="none" stroke-width=".5"><path stroke="#d02020" d="M5 5H35"/><path stroke="#2040d0" d="M5 15H35"/><path stroke="#e0c000" d="M20 3V27"/><path stroke="#000" d="M5 25H15"/></svg>
+END
+draws "--colour" --colour -o c.png c.svg
+is "--colour: RGB" "$(info c.png colour)" rgb
+draws "--colour with nothing behind" --colour --background none -o c4.png c.svg
+is "--colour with nothing behind: RGBA" "$(info c4.png colour)" rgb+alpha
+draws "--colour in a PDF" --colour -o c.pdf c.svg
+draws "--colour with other threads" --colour --threads 5 -o c5.png c.svg
+same "--colour with other threads: the same bytes" c5.png c.png
+draws "without --colour" -o grey.png c.svg
+is "without --colour: grey" "$(info grey.png colour)" grey
+misused "--colour takes no value" colour --colour=red c.svg

@@ -51,7 +51,7 @@ static bool count(void *closure, const patch *p)
 
 static bool lay(void *closure, const patch *p)
 {
-    plb_page_lay(&((bench *)closure)->page, p);
+    plb_page_lay(&((bench *)closure)->page, p, NULL);
     return true;
 }
 
@@ -121,7 +121,7 @@ static bool prepare(bench *b, double dpi, size_t n, const char *grade)
     o.profile = plb_profile_load(grade, NULL);
     bool ok = o.profile && plb_api_tools_init(&b->tools, &o, NULL);
     int side = (int)(SIDE_MM / MM_PER_INCH * dpi);
-    ok = ok && plb_page_init(&b->page, side, side, side, &b->tools.ink, NULL);
+    ok = ok && plb_page_init(&b->page, side, side, side, false, &b->tools.ink, NULL);
     for (uint64_t k = 0; ok && k < n; k++) {
         double turn = 2 * PLB_PI * random_unit(1, 3 * k), x = SIDE_MM * random_unit(1, 3 * k + 1), y = SIDE_MM * random_unit(1, 3 * k + 2);
         stroke s = {.touch = TOUCH_USUAL, .identity = k + 1, .first = b->list.points.n, .n = 2};

@@ -114,13 +114,13 @@ static void deposits_darken_and_saturate(void)
     CHECK(ink.darkest < 90);
     for (int g = ink.darkest + 1; g < 256; g++)
         CHECK(ink.grey[ink.deposit[g]] == g); /* a stroke alone looks as its texture says */
-    CHECK(plb_page_init(&p, 8, 8, 8, &ink, NULL));
+    CHECK(plb_page_init(&p, 8, 8, 8, false, &ink, NULL));
     static patch dot = {.x = -1, .y = 6, .width = 3, .height = 3};
     memset(dot.grey, 170, 9);
     memset(dot.to, 3, 3);
     int before = 255;
     for (int k = 0; k < 50; k++) {
-        plb_page_lay(&p, &dot);
+        plb_page_lay(&p, &dot, NULL);
         int now = ink.grey[p.deposit[6 * 8]];
         CHECK(now <= before && (now < before || k > 3));
         before = now;
@@ -139,7 +139,7 @@ static void order_does_not_matter(void)
     graphite ink;
     page a, b;
     plb_graphite_init(&ink, f);
-    CHECK(plb_page_init(&a, 60, 60, 60, &ink, NULL) && plb_page_init(&b, 60, 60, 60, &ink, NULL));
+    CHECK(plb_page_init(&a, 60, 60, 60, false, &ink, NULL) && plb_page_init(&b, 60, 60, 60, false, &ink, NULL));
     static patch patches[40];
     for (int k = 0; k < 40; k++) {
         patches[k] = (patch){.x = k, .y = 40 - k, .width = 20, .height = 20};
@@ -148,8 +148,8 @@ static void order_does_not_matter(void)
             patches[k].grey[i] = (uint8_t)random_bits((uint64_t)k, (uint64_t)i);
     }
     for (int k = 0; k < 40; k++) {
-        plb_page_lay(&a, &patches[k]);
-        plb_page_lay(&b, &patches[(k * 7 + 3) % 40]);
+        plb_page_lay(&a, &patches[k], NULL);
+        plb_page_lay(&b, &patches[(k * 7 + 3) % 40], NULL);
     }
     CHECK(!memcmp(a.deposit, b.deposit, 60 * 60 * sizeof *a.deposit));
     plb_page_free(&a);

@@ -25,7 +25,8 @@ static bool fill_strokes(stroke_list *list)
             point p = {x + r * cos(turn + (n > 2 ? 9 * u : 0)), y + r * sin(turn + (n > 2 ? 9 * u : 0))};
             ok = array_push(&list->points, p);
         }
-        stroke s = {.touch = TOUCH_USUAL, .identity = k + 1, .first = first, .n = n};
+        touch t = {1, k % 3 == 0 ? 0xd04020 : k % 3 == 1 ? 0x2060c0 : 0, STROKE_LINE};
+        stroke s = {.touch = t, .identity = k + 1, .first = first, .n = n};
         ok = ok && array_push(&list->strokes, s);
     }
     return ok;
@@ -51,6 +52,8 @@ static void free_drawing(plb_drawing *d)
 typedef struct {
     uint8_t *v;
     int next; /* row */
+    page_background background;
+    int channels;
 } whole_page;
 
 static bool take(void *closure, const page *band, error *err)
@@ -59,7 +62,7 @@ static bool take(void *closure, const page *band, error *err)
     (void)err;
     CHECK(band->top == to->next);
     for (int y = 0; y < band->rows; y++)
-        plb_page_row(band, PAGE_WHITE, band->top + y, to->v + (size_t)(band->top + y) * (size_t)band->width);
+        plb_page_row(band, to->background, band->top + y, to->v + (size_t)(band->top + y) * (size_t)band->width * (size_t)to->channels);
     to->next += band->rows;
     return true;
 }
@@ -72,8 +75,10 @@ static uint8_t *render(const plb_drawing *d, const plb_options *o, int rows, int
     CHECK(plb_api_tools_init(&t, o, &err) && plb_page_plan(d, o, &plan, &err));
     plan.rows = rows ? rows : plan.height;
     plan.members = members;
-    *size = (size_t)plan.width * (size_t)plan.height;
-    whole_page to = {malloc(*size), 0};
+    page_background background = o->background == PLB_BACKGROUND_NONE ? PAGE_TRANSPARENT : PAGE_WHITE;
+    whole_page to = {NULL, 0, background, plb_page_channels(background, o->colour)};
+    *size = (size_t)plan.width * (size_t)plan.height * (size_t)to.channels;
+    to.v = malloc(*size);
     CHECK(plb_render(d, o, &t, &plan, take, &to, &err) && to.next == plan.height);
     plb_api_tools_free(&t);
     return to.v;
@@ -89,6 +94,8 @@ static void bands_and_threads_change_no_pixel(void)
             plb_options o = plb_options_default();
             o.model = m ? PLB_MODEL_HLA : PLB_MODEL_GRAPHITE;
             o.dpi = dpi[k];
+            o.colour = k == 1;
+            o.background = k % 2 ? PLB_BACKGROUND_NONE : PLB_BACKGROUND_WHITE;
             size_t size, same;
             uint8_t *whole = render(d, &o, 0, 1, &size), darkest = 255;
             for (size_t i = 0; i < size; i++)
@@ -109,6 +116,40 @@ static void bands_and_threads_change_no_pixel(void)
 static bool add(void *closure, const page *band, error *err)
 {
     return plb_picture_add(closure, band, err);
+}
+
+/* Of the page in colour and in grey: graphite is the same grey in both, colours are colours, and what is see-through gives
+ * over white what the opaque page is. */
+static void colours_are_laid(void)
+{
+    plb_drawing *d = drawing_for_tests();
+    plb_options o = plb_options_default();
+    size_t size, size3, size4;
+    o.dpi = 150;
+    uint8_t *grey = render(d, &o, 0, 2, &size);
+    o.colour = true;
+    uint8_t *rgb = render(d, &o, 0, 2, &size3);
+    o.background = PLB_BACKGROUND_NONE;
+    uint8_t *rgba = render(d, &o, 0, 2, &size4);
+    CHECK(size3 == 3 * size && size4 == 4 * size);
+    long red = 0, blue = 0, plain = 0;
+    int off = 0;
+    for (size_t i = 0; i < size; i++) {
+        const uint8_t *c = rgb + 3 * i, *t = rgba + 4 * i;
+        red += c[0] > c[2] + 20;
+        blue += c[2] > c[0] + 20;
+        plain += c[0] == c[1] && c[1] == c[2] && c[0] == grey[i] && c[0] < 255;
+        for (int k = 0; k < 3; k++) {
+            int over = (t[k] * t[3] + 255 * (255 - t[3]) + 127) / 255, by = abs(over - c[k]);
+            off = by > off ? by : off;
+        }
+    }
+    CHECK(red > 500 && blue > 500 && plain > 500);
+    CHECK(off <= 2);
+    free(grey);
+    free(rgb);
+    free(rgba);
+    free_drawing(d);
 }
 
 /* The file that a page cut into bands of `pieces` pieces gives. */
@@ -164,7 +205,7 @@ static void an_error_reaches_the_caller(void)
         CHECK(plb_api_tools_init(&t, &o, &err) && plb_page_plan(d, &o, &plan, &err));
         plan.members = 4;
         plan.rows = rows ? 20 : plan.height;
-        whole_page to = {malloc((size_t)plan.width * (size_t)plan.height), 0};
+        whole_page to = {malloc((size_t)plan.width * (size_t)plan.height), 0, PAGE_WHITE, 1};
         CHECK(!plb_render(d, &o, &t, &plan, take, &to, &err) && err.kind == ERROR_LIMIT && strstr(err.text, "longer"));
         free(to.v);
         plb_api_tools_free(&t);
@@ -175,6 +216,7 @@ static void an_error_reaches_the_caller(void)
 int main(void)
 {
     RUN(bands_and_threads_change_no_pixel);
+    RUN(colours_are_laid);
     RUN(files_are_the_same);
     RUN(an_error_reaches_the_caller);
     CHECK_EXIT;

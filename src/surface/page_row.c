@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Rows of the page as bytes of a picture.
+ */
+#include "surface/page.h"
+
+#include <string.h>
+
+int plb_page_channels(page_background background, bool colour)
+{
+    return (colour ? PIGMENT_PLANES : 1) + (background == PAGE_TRANSPARENT);
+}
+
+static const uint16_t *row_of(const page *p, int plane, int y)
+{
+    return p->deposit + ((size_t)plane * (size_t)p->most_rows + (size_t)(y - p->top)) * (size_t)p->width;
+}
+
+/* How opaque graphite or pigment must be that darkens white to `grey`. */
+static int alpha_of(const graphite *ink, int grey)
+{
+    int depth = 255 - ink->darkest;
+    return ((255 - grey) * 255 + depth / 2) / depth;
+}
+
+static void grey_row(const page *p, int y, uint8_t *out)
+{
+    row_extent e = p->marked[y - p->top];
+    const uint16_t *from = row_of(p, 0, y);
+    memset(out, 255, (size_t)p->width);
+    for (int x = e.from; x < e.to; x++)
+        out[x] = p->ink->grey[from[x]];
+}
+
+static void grey_alpha_row(const page *p, int y, uint8_t *out)
+{
+    const uint16_t *from = row_of(p, 0, y);
+    for (int x = 0; x < p->width; x++) {
+        out[2 * x] = (uint8_t)p->ink->darkest;
+        out[2 * x + 1] = (uint8_t)alpha_of(p->ink, p->ink->grey[from[x]]);
+    }
+}
+
+static void colour_row(const page *p, int y, uint8_t *out)
+{
+    row_extent e = p->marked[y - p->top];
+    memset(out, 255, (size_t)p->width * PIGMENT_PLANES);
+    for (int k = 0; k < PIGMENT_PLANES; k++) {
+        const uint16_t *from = row_of(p, k, y);
+        for (int x = e.from; x < e.to; x++)
+            out[PIGMENT_PLANES * x + k] = p->ink->grey[from[x]];
+    }
+}
+
+/* The opacity that the darkest component needs, and colours that over white give what is there. */
+static void colour_alpha_pixel(const graphite *ink, const uint8_t opaque[PIGMENT_PLANES], uint8_t out[PIGMENT_PLANES + 1])
+{
+    int darkest = 255;
+    for (int k = 0; k < PIGMENT_PLANES; k++)
+        darkest = opaque[k] < darkest ? opaque[k] : darkest;
+    int alpha = alpha_of(ink, darkest);
+    for (int k = 0; k < PIGMENT_PLANES; k++) {
+        int taken = alpha ? ((255 - opaque[k]) * 255 + alpha / 2) / alpha : 255 - ink->darkest;
+        out[k] = (uint8_t)(taken < 255 ? 255 - taken : 0);
+    }
+    out[PIGMENT_PLANES] = (uint8_t)alpha;
+}
+
+static void colour_alpha_row(const page *p, int y, uint8_t *out)
+{
+    for (int x = 0; x < p->width; x++) {
+        uint8_t opaque[PIGMENT_PLANES];
+        for (int k = 0; k < PIGMENT_PLANES; k++)
+            opaque[k] = p->ink->grey[row_of(p, k, y)[x]];
+        colour_alpha_pixel(p->ink, opaque, out + (PIGMENT_PLANES + 1) * x);
+    }
+}
+
+void plb_page_row(const page *p, page_background background, int y, uint8_t *out)
+{
+    static void (*const rows[2][2])(const page *, int, uint8_t *) = {{grey_row, grey_alpha_row}, {colour_row, colour_alpha_row}};
+    rows[p->planes > 1][background == PAGE_TRANSPARENT](p, y, out);
+}
