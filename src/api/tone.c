@@ -6,17 +6,18 @@
 #include "api/tone.h"
 
 #include "base/units.h"
+#include "plan/hatch.h"
 #include "plan/hatch_tone.h"
 
 #include <math.h>
 
 /* Side of a swatch: so many lines across, but within bounds, mm; drawn at a coarse resolution, for its mean only. */
-#define SWATCH_LINES 14
-#define SWATCH_LEAST 8.0
-#define SWATCH_MOST 24.0
+#define SWATCH_LINES 9
+#define SWATCH_LEAST 5.0
+#define SWATCH_MOST 14.0
 #define SWATCH_DPI 150.0
 /* Left out all around: there ends stray, and the outline runs. */
-#define SWATCH_EDGE 1.5
+#define SWATCH_EDGE 0.8
 /* Each step is darker than the one before by this at least, though a swatch's chance would have it otherwise. */
 #define LEAST_STEP 0.004
 /* Seed of swatches: the scale belongs to the pencil, not to the drawing. */
@@ -24,9 +25,11 @@
 
 bool plb_api_needs_tone(const display_list *list, const plan_options *how)
 {
-    for (size_t i = 0; how->fill == FILL_HATCH && i < list->items.n; i++)
-        if (list->items.v[i].kind == ITEM_FILL)
+    for (size_t i = 0; how->fill == FILL_HATCH && i < list->items.n; i++) {
+        const item *it = &list->items.v[i];
+        if (it->kind == ITEM_FILL && plb_may_be_hatched(it, how))
             return true;
+    }
     return false;
 }
 

@@ -74,14 +74,14 @@ static paint source_paint(const script_pattern *p)
 }
 
 /* The source's gradient, with its place on the surface's list. 0: none, or one that is squeezed flat. */
-static bool add_gradient(script_state *s, script_surface *f, const script_pattern *p, unsigned *index)
+static bool add_gradient(script_state *s, script_surface *f, const script_pattern *p, const path *fills, unsigned *index)
 {
     matrix back;
     *index = 0;
     if (!p || !p->gradient || !plb_matrix_invert(f->to_list, &back))
         return true;
     gradient g = *p->gradient;
-    g.to_space = plb_matrix_multiply(back, p->matrix);
+    g.to_space = plb_matrix_multiply(back, plb_script_gradient_matrix(s, p, fills));
     return plb_list_add_gradient(f->list, &g, index, s->err);
 }
 
@@ -138,7 +138,7 @@ static bool has_no_area(const path *p)
 static bool start_item(script_state *s, const script_context *c, item_kind kind, item *it)
 {
     *it = (item){.kind = kind, .paint = source_paint(c->source), .clip = c->clip};
-    if (!add_gradient(s, c->target, c->source, &it->gradient))
+    if (!add_gradient(s, c->target, c->source, &c->path, &it->gradient))
         return false;
     if (!plb_path_append(&it->path, &c->path, c->target->to_list)) {
         plb_path_free(&it->path);
@@ -305,7 +305,7 @@ bool plb_script_paint(script_state *s, script_context *c, double alpha)
         return splice(s, c, c->clip, alpha);
     item it = {.kind = ITEM_FILL, .paint = source_paint(c->source), .clip = c->clip};
     it.paint.alpha *= alpha;
-    if (!add_gradient(s, c->target, c->source, &it.gradient))
+    if (!add_gradient(s, c->target, c->source, &it.path, &it.gradient))
         return false;
     if (it.gradient && alpha < 1) {
         gradient g = c->target->list->gradients.v[it.gradient - 1];

@@ -148,4 +148,8 @@ bool plb_script_stroke(script_state *s, script_context *c);
 bool plb_script_paint(script_state *s, script_context *c, double alpha);
 bool plb_script_clip(script_state *s, script_context *c);
 
+/* cairoscript_gradient.c: from the surface's units to the gradient's, for the path that it fills (in the surface's units;
+ * an empty one: the pattern's matrix as it is). */
+matrix plb_script_gradient_matrix(const script_state *s, const script_pattern *p, const path *fills);
+
 #endif

@@ -15,8 +15,6 @@
 
 #include <math.h>
 
-/* Lighter tones are left to the paper. */
-#define LEAST_DARKNESS 0.045
 /* A direction strays by this from shape to shape, radians. */
 #define DIRECTION_STRAY 0.04
 /* The second layer is turned by this against the first, radians: less than a right angle, as the wrist has it. */
@@ -24,10 +22,17 @@
 /* A fill that covers this part of the page and is no darker than PAPER_DARKNESS is its paper. */
 #define PAPER_COVER 0.97
 #define PAPER_DARKNESS 0.45
-/* The lines of a drawing's hatching are held to about this many by wider spacing. */
-#define MOST_STROKES 1.5e6
+/* A gradient is looked at in so many places across and down. */
+#define LOOKS 16
+/* The lines of a drawing's hatching are held by wider spacing to about what covers the page so many times in the darkest
+ * tone, within these bounds. */
+#define MOST_COVERS 3
+#define LEAST_BUDGET 5e4
+#define MOST_BUDGET 1e6
 /* … when a line is this long, mm. */
 #define TYPICAL_LENGTH 20.0
+/* … and one of a gradient in so many parts. */
+#define GRADIENT_PARTS 4
 
 static double overlap(box a, box b)
 {
@@ -37,20 +42,31 @@ static double overlap(box a, box b)
 
 hatcher plb_hatcher(const display_list *list, const plan_options *o)
 {
-    hatcher h = {.how = o, .page = {0, 0, list->width, list->height}, .coarser = 1};
-    double strokes = 0;
+    hatcher h = {.list = list, .how = o, .page = {0, 0, list->width, list->height}, .coarser = 1};
+    technique full = plb_technique(1, o->pencil_width);
+    double cover = list->width * list->height / TYPICAL_LENGTH * (1 / full.spacing[0] + 1 / full.spacing[1]);
+    double budget = fmin(fmax(MOST_COVERS * cover, LEAST_BUDGET), MOST_BUDGET), strokes = 0;
     for (size_t i = 0; i < list->items.n; i++) {
         const item *it = &list->items.v[i];
-        if (it->kind != ITEM_FILL || plb_paint_darkness(&it->paint, false) < LEAST_DARKNESS)
+        tone_source t = plb_tone_source(list, it, o, o->colour);
+        double darkest = plb_darkest(&t);
+        if (it->kind != ITEM_FILL || darkest < LEAST_DARKNESS)
             continue;
-        technique q = plb_technique_for(plb_paint_darkness(&it->paint, false), o);
-        double area = overlap(plb_path_bounds(&it->path), h.page);
+        technique q = plb_technique_for(darkest, o);
+        double area = overlap(plb_path_bounds(&it->path), h.page) * (t.gradient ? GRADIENT_PARTS : 1);
         for (int k = 0; k < HATCH_LAYERS; k++)
             strokes += q.spacing[k] > 0 ? area / (q.spacing[k] * TYPICAL_LENGTH) : 0;
         plb_hatch_direction_learn(&h, it);
     }
-    h.coarser = fmax(1, strokes / MOST_STROKES);
+    h.coarser = fmax(1, strokes / budget);
     return h;
+}
+
+bool plb_may_be_hatched(const item *fill, const plan_options *o)
+{
+    box b = plb_path_bounds(&fill->path);
+    double least = plb_solid_breadth(o->pencil_width);
+    return fmin(b.x1 - b.x0, b.y1 - b.y0) >= least && (fill->paint.kind == PAINT_GRADIENT || plb_paint_darkness(&fill->paint, o->colour) >= LEAST_DARKNESS);
 }
 
 static bool is_paper(const hatcher *h, const shape *s, double darkness)
@@ -61,14 +77,29 @@ static bool is_paper(const hatcher *h, const shape *s, double darkness)
     return darkness < PAPER_DARKNESS && full && overlap(s->bounds, p) > PAPER_COVER * page;
 }
 
-static bool add_tone(const hatcher *h, const shape *s, const item *fill, double darkness, const marks *m)
+/* The darkest that the gradient is inside the bounds, and its mean there. */
+static double darkest_of(const tone_source *t, const shape *s, double *mean)
+{
+    double most = 0, sum = 0;
+    for (int j = 0; j < LOOKS; j++)
+        for (int i = 0; i < LOOKS; i++) {
+            box b = s->bounds;
+            double d = plb_darkness_at(t, (point){b.x0 + (i + .5) / LOOKS * (b.x1 - b.x0), b.y0 + (j + .5) / LOOKS * (b.y1 - b.y0)});
+            most = fmax(most, d);
+            sum += d;
+        }
+    *mean = sum / (LOOKS * LOOKS);
+    return most;
+}
+
+static bool add_tone(const hatcher *h, const shape *s, const item *fill, const tone_source *t, double darkness, const marks *m)
 {
     technique q = plb_technique_for(darkness, h->how);
     uint64_t key = random_key(h->how->seed, s->identity, PURPOSE_HATCH);
     double direction = plb_hatch_direction(h, fill) + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
     bool ok = true;
     for (int k = 0; ok && k < HATCH_LAYERS; k++) {
-        hatch_layer l = {direction + k * CROSS_ANGLE, q.spacing[k] * h->coarser, q.pressure, k};
+        hatch_layer l = {direction + k * CROSS_ANGLE, q.spacing[k] * h->coarser, q.pressure, k, q.spacing[k], t->gradient ? t : NULL};
         ok = !(l.spacing > 0) || plb_hatch_lines(s, &l, h->page, m);
     }
     return ok;
@@ -76,17 +107,20 @@ static bool add_tone(const hatcher *h, const shape *s, const item *fill, double 
 
 bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *outline, track_sink sink, void *closure, error *err)
 {
-    double darkness = plb_paint_darkness(&fill->paint, colour != 0);
+    tone_source t = plb_tone_source(h->list, fill, h->how, colour != 0);
+    double darkness = plb_paint_darkness(&fill->paint, colour != 0), mean = darkness;
     marks m = {h->how, {1, colour, STROKE_HATCH}, sink, closure, err};
     shape s;
     bool ok = plb_shape_init(&s, fill, err);
     *outline = true;
-    if (ok && s.area > 0 && is_paper(h, &s, darkness)) {
+    if (ok && s.area > 0 && t.gradient)
+        darkness = darkest_of(&t, &s, &mean);
+    if (ok && s.area > 0 && is_paper(h, &s, mean)) {
         *outline = false;
     } else if (ok && s.area > 0 && darkness >= LEAST_DARKNESS) {
         bool solid = false;
-        m.touch.pressure = (float)plb_technique_for(darkness, h->how).pressure;
-        ok = plb_is_solid(&s, h->how->pencil_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, darkness, &m));
+        m.touch.pressure = (float)plb_technique(mean, 0).pressure;
+        ok = plb_is_solid(&s, h->how->pencil_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, &t, darkness, &m));
     }
     plb_shape_free(&s);
     return ok;

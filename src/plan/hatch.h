@@ -17,12 +17,20 @@ typedef struct {
 
 /* What all fills of a drawing share: the page, directions, and the bound on the number of lines. */
 typedef struct {
-    const plan_options *how; /* borrowed */
+    const display_list *list; /* borrowed, as … */
+    const plan_options *how;  /* … is this */
     box page;                /* mm: nothing is hatched beyond it */
     double coarser;          /* all spacings are this many times as wide, >= 1, so that a drawing's lines stay in bounds */
     hatch_family families[HATCH_FAMILIES]; /* by darkness */
 } hatcher;
 hatcher plb_hatcher(const display_list *list, const plan_options *o);
+
+/* Whether its tone may count: it is neither too small for a tone nor too light for a mark. */
+bool plb_may_be_hatched(const item *fill, const plan_options *o);
+
+/* Whether it is a blot rather than a stroke of a letter, in *blot: a dot, a pad, an arrowhead, a thick bar. False and `err`
+ * when out of memory. */
+bool plb_is_blot(const item *fill, const plan_options *o, bool *blot, error *err);
 
 /* Hands on the marks that give `fill` its tone: tracks with their touch set (pressure; STROKE_HATCH; of the colour
  * `colour`), neither clipped nor hidden. *outline tells whether the caller should draw the shape's outline too: not

@@ -46,7 +46,7 @@ typedef struct {
 } hatching;
 
 /* Numbers of a line: what each is for. */
-enum { AT_PLACE, AT_TILT, AT_PRESSURE, AT_SWEEP, AT_SPAN, PER_LINE = 4096 };
+enum { AT_PLACE, AT_TILT, AT_PRESSURE, AT_SWEEP, AT_RANK, AT_SPAN, PER_LINE = 4096 };
 
 /* Near enough normal, of standard deviation 1, within ±3.46. */
 static double stray(uint64_t key, uint64_t index)
@@ -74,12 +74,20 @@ static double stray_of_end(const hatching *h, double length, uint64_t index)
     return within(stray(h->key, number(h, index)) * fmin(END_STRAY, most) - END_INSIDE, -most, most);
 }
 
+static point place(const hatching *h, const sections *k, double v, double tilt, double u)
+{
+    return frame_from(h->f, (point){u, plb_sections_v(k, v, tilt, u)});
+}
+
+static bool send_pressed(const hatching *h, const sections *k, double v, double tilt, span s, uint64_t index, double pressure)
+{
+    pressure *= 1 + PRESSURE_STRAY * stray(h->key, number(h, index));
+    return plb_mark_line(h->m, place(h, k, v, tilt, s.from), place(h, k, v, tilt, s.to), pressure);
+}
+
 static bool send(const hatching *h, const sections *k, double v, double tilt, double from, double to, uint64_t index)
 {
-    point a = frame_from(h->f, (point){from, plb_sections_v(k, v, tilt, from)});
-    point b = frame_from(h->f, (point){to, plb_sections_v(k, v, tilt, to)});
-    double pressure = h->l->pressure * (1 + PRESSURE_STRAY * stray(h->key, number(h, index)));
-    return plb_mark_line(h->m, a, b, pressure);
+    return send_pressed(h, k, v, tilt, (span){from, to}, index, h->l->pressure);
 }
 
 /* Cuts what is longer than a sweep into sweeps of uneven length, the first often short, so that no seam runs across. */
@@ -99,6 +107,65 @@ static bool send_sweeps(const hatching *h, const sections *k, double v, double t
     return ok && send(h, k, v, tilt, at, s.to, index);
 }
 
+/* ---- gradients ---- */
+
+/* A line of a gradient is looked at this often, mm, and is a new stroke when the pressure has changed by a part. */
+#define LOOK_MM 1.2
+#define NEW_PRESSURE 0.13
+#define SHORTEST_PART 2.5
+#define MOST_LOOKS 4000
+
+/* The rank of a line, evenly spread in [0, 1) over any run of neighbours (van der Corput's sequence), a little uneven: where
+ * the tone asks for a share of the lines, those of a lower rank are drawn. */
+static double rank_of(const hatching *h)
+{
+    double rank = 0, part = 0.5;
+    for (uint64_t n = h->line; n && part > 1e-3; n >>= 1, part /= 2)
+        rank += n & 1 ? part : 0;
+    return within(rank + 0.03 + 0.06 * stray(h->key, number(h, AT_RANK)), 0, 0.999);
+}
+
+/* The pressure that the tone asks of this line at a place; 0 where it is not drawn. */
+static double pressure_at(const hatching *h, point at, double rank)
+{
+    double darkness = plb_darkness_at(h->l->tone, at);
+    if (darkness < LEAST_DARKNESS)
+        return 0;
+    technique q = plb_technique_for(darkness, h->l->tone->how);
+    double spacing = q.spacing[h->l->layer];
+    return spacing > 0 && h->l->dense / spacing > rank ? q.pressure : 0;
+}
+
+/* Sends a part with its mean pressure. */
+static bool send_part(const hatching *h, const sections *k, double v, double tilt, span s, uint64_t index, double sum, int looks)
+{
+    return looks == 0 || s.to - s.from < SHORTEST || send_pressed(h, k, v, tilt, s, index, sum / looks);
+}
+
+/* Follows the tone along the line. */
+static bool send_varied(const hatching *h, const sections *k, double v, double tilt, span s, uint64_t index)
+{
+    double rank = rank_of(h), looks = fmin(ceil((s.to - s.from) / LOOK_MM), MOST_LOOKS), step = (s.to - s.from) / looks;
+    double from = s.from, sum = 0, first = 0;
+    int n = 0;
+    bool ok = true;
+    for (int i = 0; ok && i < (int)looks; i++) {
+        double u = s.from + i * step, p = pressure_at(h, place(h, k, v, tilt, u + step / 2), rank);
+        bool changed = n && fabs(p - first) > NEW_PRESSURE * first && u - from > SHORTEST_PART;
+        if (n && (!(p > 0) || changed || u - from > SWEEP_LONGEST)) {
+            ok = send_part(h, k, v, tilt, (span){from, u + (p > 0 ? SWEEP_LAP / 2 : 0)}, index++, sum, n);
+            n = 0;
+        }
+        if (p > 0 && n++ == 0) {
+            from = fmax(u - (i > 0 ? SWEEP_LAP / 2 : 0), s.from);
+            first = p;
+            sum = 0;
+        }
+        sum += p;
+    }
+    return ok && send_part(h, k, v, tilt, (span){from, s.to}, index, sum, n);
+}
+
 static bool send_line(const hatching *h, const sections *k, double v, double tilt)
 {
     bool ok = true;
@@ -110,7 +177,7 @@ static bool send_line(const hatching *h, const sections *k, double v, double til
             continue;
         s.from -= stray_of_end(h, length, index++);
         s.to += stray_of_end(h, length, index++);
-        ok = send_sweeps(h, k, v, tilt, s, index);
+        ok = h->l->tone ? send_varied(h, k, v, tilt, s, index) : send_sweeps(h, k, v, tilt, s, index);
         index += 8;
     }
     return ok;

@@ -25,10 +25,14 @@ bool plb_mark_line(const marks *m, point a, point b, double pressure);
 typedef struct {
     double angle, spacing, pressure;
     int layer;
+    double dense;            /* what `spacing` would be but for the bound on the number of lines, mm */
+    const tone_source *tone; /* where it varies: `spacing` is then that of the darkest place; NULL: it is even */
 } hatch_layer;
 bool plb_hatch_lines(const shape *s, const hatch_layer *l, box page, const marks *m);
 
-/* solid.c: whether a shape is so thin or small that it is scribbled full rather than hatched, in *solid. */
+/* solid.c: shapes whose bounds are narrower than this, mm, are solid. */
+double plb_solid_breadth(double width);
+/* Whether a shape is so thin or small that it is scribbled full rather than hatched, in *solid. */
 bool plb_is_solid(const shape *s, double width, bool *solid, error *err);
 /* Scribbles it full. *outline: whether its outline is still to be drawn. */
 bool plb_scribble(const shape *s, box page, const marks *m, bool *outline);

@@ -64,3 +64,28 @@ double plb_paint_darkness(const paint *p, bool colour)
     double darkness = colour ? p->alpha : 1 - plb_paint_lightness(*p);
     return darkness < 0 ? 0 : darkness > 1 ? 1 : darkness;
 }
+
+tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, bool colour)
+{
+    return (tone_source){.paint = &fill->paint, .gradient = plb_item_gradient(list, fill), .colour = colour, .how = o};
+}
+
+double plb_darkness_at(const tone_source *t, point at)
+{
+    if (!t->gradient)
+        return plb_paint_darkness(t->paint, t->colour);
+    paint there = plb_gradient_at(t->gradient, at);
+    return plb_paint_darkness(&there, t->colour);
+}
+
+double plb_darkest(const tone_source *t)
+{
+    const gradient *g = t->gradient;
+    double most = g ? 0 : plb_paint_darkness(t->paint, t->colour);
+    for (unsigned i = 0; g && i < g->n; i++) {
+        const gradient_stop *s = &g->stops[i];
+        paint there = {PAINT_SOLID, (double)s->red, (double)s->green, (double)s->blue, (double)s->alpha * g->opacity};
+        most = fmax(most, plb_paint_darkness(&there, t->colour));
+    }
+    return most;
+}

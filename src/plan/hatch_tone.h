@@ -8,6 +8,9 @@
 #include "list/list.h"
 #include "plan/plan.h"
 
+/* Lighter tones are left to the paper (chosen by eye). */
+#define LEAST_DARKNESS 0.045
+
 /* How an area is hatched. */
 #define HATCH_LAYERS 2
 typedef struct {
@@ -20,7 +23,19 @@ technique plb_technique(double effort, double width);
 /* The technique for a darkness (0 paper to 1 black) with the pencil of these options. */
 technique plb_technique_for(double darkness, const plan_options *o);
 
-/* The darkness that is meant at a place: the paint's, there. In colour it is how densely the pencil covers. */
+/* Where tone comes from: one paint, or a gradient. */
+typedef struct {
+    const paint *paint;
+    const gradient *gradient; /* NULL: the paint's tone is the same everywhere */
+    bool colour;
+    const plan_options *how;
+} tone_source;
+tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, bool colour);
+/* The darkest of all its places. */
+double plb_darkest(const tone_source *t);
+double plb_darkness_at(const tone_source *t, point at);
+
+/* The darkness that a paint means. In colour it is how densely the pencil covers. */
 double plb_paint_darkness(const paint *p, bool colour);
 
 #endif

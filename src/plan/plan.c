@@ -163,8 +163,10 @@ static bool draw_letters(planner *p, bool *taken)
 
 static bool draw_fill(planner *p)
 {
-    bool is_letter;
-    if (!draw_letters(p, &is_letter) || is_letter)
+    bool is_letter = false, is_blot = false;
+    if (p->how->fill == FILL_HATCH && !plb_is_blot(p->it, p->how, &is_blot, p->err))
+        return false;
+    if ((!is_blot && !draw_letters(p, &is_letter)) || is_letter)
         return is_letter;
     bool outline = p->how->fill == FILL_OUTLINE;
     if (p->how->fill == FILL_HATCH && !plb_plan_hatch(&p->hatcher, p->it, touch_of(p).colour, &outline, add_mark, p, p->err))
@@ -202,7 +204,7 @@ static bool draw_items(planner *p)
 
 plan_options plb_plan_options_default(void)
 {
-    static const tone_scale of_hb = {{.06, .13, .25, .38, .55, .68, .78}};
+    static const tone_scale of_hb = {{.07, .12, .2, .35, .45, .51}};
     return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .seed = 1};
 }
 

@@ -22,14 +22,26 @@
 #define DAB_SHORTEST 0.1
 /* Thinner than this a shape is no more than one stroke along its axis, if it is straight. */
 #define STROKE_WIDTHS 1.4
+/* A bent sliver thinner than this is filled by its outline alone. */
+#define SLIVER_WIDTHS 0.35
+/* A bar covers this part of the box about it, and is so much longer than wide; up to so many widths of the line it may be a
+ * letter's stem or a dash (chosen by eye). */
+#define BAR_COVER 0.7
+#define BAR_ELONGATION 2.0
+#define PEN_WIDTHS 1.8
 /* Passes of a scribble lie so far apart, in widths of the line. */
-#define PASS_WIDTHS 0.5
+#define PASS_WIDTHS 0.42
 /* A shape this much longer than wide is scribbled along its axis, others in the hand's usual direction. */
 #define LONG_ELONGATION 2.2
 /* Places of a pass stray by this part of their distance, its ends by this part of the line's width. */
 #define PASS_STRAY 0.2
+/* A pass ends this part of their distance farther on than halfway between its ends. */
+#define PASS_LEAN 0.22
 #define END_STRAY 0.15
 #define MOST_PASSES 4000
+/* Sections so many widths to either side tell how a pass must end, and so many widths inside them it does. */
+#define SIDE_WIDTHS 0.3
+#define END_INSET 0.25
 /* A movement back and forth is no longer than this, mm: then the hand sets off anew. */
 #define MOVEMENT_LONGEST 30.0
 /* An inset outline has no more corners. */
@@ -40,8 +52,15 @@ typedef struct {
     const marks *m;
     frame f;
     double width; /* of the line, mm */
+    double apart; /* of the passes, mm */
     uint64_t key;
 } scribble;
+
+/* Of bounds b mm or less broad, twice the area over the perimeter is at most b. */
+double plb_solid_breadth(double width)
+{
+    return SOLID_WIDTHS * width;
+}
 
 bool plb_is_solid(const shape *s, double width, bool *solid, error *err)
 {
@@ -55,17 +74,44 @@ bool plb_is_solid(const shape *s, double width, bool *solid, error *err)
     return true;
 }
 
+static box extent_in(const shape *s, frame f)
+{
+    box b = BOX_EMPTY;
+    for (size_t i = 0; i < s->edges.n; i++)
+        plb_box_add(&b, frame_to(f, s->edges.v[i].from));
+    return b;
+}
+
+bool plb_is_blot(const item *fill, const plan_options *o, bool *blot, error *err)
+{
+    size_t subpaths = 0;
+    shape s;
+    *blot = false;
+    for (size_t i = 0; i < fill->path.ops.n; i++)
+        subpaths += fill->path.ops.v[i] == PATH_MOVE;
+    if (subpaths != 1)
+        return true;
+    bool ok = plb_shape_init(&s, fill, err);
+    if (ok && s.is_convex && s.area > 0) {
+        box b = extent_in(&s, plb_frame(s.axis));
+        bool is_bar = s.area > BAR_COVER * (b.x1 - b.x0) * (b.y1 - b.y0);
+        *blot = s.elongation < BAR_ELONGATION || !is_bar || 2 * s.area / s.perimeter > PEN_WIDTHS * o->pencil_width;
+    }
+    plb_shape_free(&s);
+    return ok;
+}
+
 static double stray(const scribble *k, uint64_t index)
 {
     return 2 * random_unit(k->key, index) - 1;
 }
 
-static box extent(const scribble *k)
+/* A touch is full at once: the point is pressed down rather than drawn. */
+static bool press(const scribble *k, point a, point b)
 {
-    box b = BOX_EMPTY;
-    for (size_t i = 0; i < k->s->edges.n; i++)
-        plb_box_add(&b, frame_to(k->f, k->s->edges.v[i].from));
-    return b;
+    track_point ends[2] = {{a, false}, {b, false}};
+    track t = {.points = {ends, 2, 2}, .touch = k->m->touch, .corner_first = true, .corner_last = true};
+    return k->m->sink(k->m->closure, &t);
 }
 
 /* One touch for each width of the line across, at least one. */
@@ -80,8 +126,7 @@ static bool dab(const scribble *k, box b)
         double part = touches > 1 ? (double)i / (touches - 1) - .5 : 0;
         double at = v + part * across + 0.06 * k->width * stray(k, n), lean = 0.06 * k->width * stray(k, n + 1);
         double middle = u + 0.05 * length * stray(k, n + 2), half = length / 2 * (1 + 0.1 * stray(k, n + 3));
-        ok = plb_mark_line(k->m, frame_from(k->f, (point){middle - half, at - lean}), frame_from(k->f, (point){middle + half, at + lean}),
-                           k->m->touch.pressure);
+        ok = press(k, frame_from(k->f, (point){middle - half, at - lean}), frame_from(k->f, (point){middle + half, at + lean}));
     }
     return ok;
 }
@@ -120,10 +165,26 @@ static bool turn_at(const scribble *k, chain *c, double u, double v)
     return array_push(&c->path.points, p);
 }
 
-/* A pass ends inside the shape by half the line, less the less room there is. */
-static span narrowed(const scribble *k, span s, uint64_t index)
+/* What a section beside the pass leaves of it: where the edge runs slantwise, the pass must end earlier. */
+static span within_side(span s, const sections *side)
 {
-    double length = s.to - s.from, inset = fmin(k->width / 2, length * 0.3);
+    span best = s;
+    double most = 0;
+    for (size_t i = 0; i < side->spans.n; i++) {
+        span both = {fmax(s.from, side->spans.v[i].from), fmin(s.to, side->spans.v[i].to)};
+        if (both.to - both.from > most) {
+            most = both.to - both.from;
+            best = both;
+        }
+    }
+    return best;
+}
+
+/* A pass ends inside the shape by about half the line, less the less room there is. */
+static span narrowed(const scribble *k, span s, const sections side[2], uint64_t index)
+{
+    s = within_side(within_side(s, &side[0]), &side[1]);
+    double length = s.to - s.from, inset = fmin(k->width * END_INSET, length * 0.3);
     double uneven = fmin(k->width, length / 3) * END_STRAY;
     return (span){s.from + inset + uneven * stray(k, index), s.to - inset + uneven * stray(k, index + 1)};
 }
@@ -142,20 +203,59 @@ static bool finish(const scribble *k, chain *c)
     return ok;
 }
 
-/* Adds the pass of one section: on from the chain it overlaps, or a new one. */
-static bool add_pass(const scribble *k, chains *open, span s, double v, uint64_t line, uint64_t index)
+/* Every other pass goes back. The point goes round its turns in two bends: it is never simply reversed. */
+static bool pass_along(const scribble *k, chain *c, span in, double v, bool back)
 {
-    span in = narrowed(k, s, line * 1024 + index * 2);
+    double lean = k->apart * PASS_LEAN;
+    return turn_at(k, c, back ? in.to : in.from, v - lean) && turn_at(k, c, back ? in.from : in.to, v + lean);
+}
+
+/* The passes' sections: the one at work, at v, and those a little to either side. */
+typedef struct {
+    sections cut, side[2];
+    double v;
+    uint64_t line;
+} scan;
+
+static bool scan_init(scan *at, const scribble *k)
+{
+    error *err = k->m->err;
+    return plb_sections_init(&at->cut, k->s, k->f, 0, err) && plb_sections_init(&at->side[0], k->s, k->f, 0, err) &&
+           plb_sections_init(&at->side[1], k->s, k->f, 0, err);
+}
+
+static void scan_free(scan *at)
+{
+    plb_sections_free(&at->cut);
+    plb_sections_free(&at->side[0]);
+    plb_sections_free(&at->side[1]);
+}
+
+static bool scan_at(scan *at, const scribble *k, uint64_t line, double v)
+{
+    double beside = k->width * SIDE_WIDTHS;
+    at->v = v;
+    at->line = line;
+    return plb_sections_at(&at->cut, v, 0, k->m->err) && plb_sections_at(&at->side[0], v - beside, 0, k->m->err) &&
+           plb_sections_at(&at->side[1], v + beside, 0, k->m->err);
+}
+
+/* Adds the pass of one section: on from the chain it overlaps, or a new one. */
+static bool add_pass(const scribble *k, chains *open, const scan *at, size_t index)
+{
+    span s = at->cut.spans.v[index], in = narrowed(k, s, at->side, at->line * 1024 + index * 2);
+    double v = at->v;
+    bool back = at->line % 2;
     for (size_t i = 0; i < open->n; i++) {
         chain *c = &open->v[i];
         if (c->met || s.from > c->last.to || s.to < c->last.from)
             continue;
         c->met = true;
         c->last = s;
-        return turn_at(k, c, line % 2 ? in.from : in.to, v);
+        return pass_along(k, c, in, v, back);
     }
     chain c = {.last = s, .met = true};
-    bool ok = turn_at(k, &c, line % 2 ? in.to : in.from, v) && turn_at(k, &c, line % 2 ? in.from : in.to, v) && array_push(open, c);
+    bool ok = pass_along(k, &c, in, v, back) && array_push(open, c);
     if (!ok)
         array_free(&c.path.points);
     return ok;
@@ -181,24 +281,25 @@ static bool end_unmet(const scribble *k, chains *open, bool all)
     return ok;
 }
 
-static bool back_and_forth(const scribble *k, box page)
+static bool back_and_forth(scribble *k, box page)
 {
-    sections cut;
+    scan at = {0};
     chains open = {0};
-    bool ok = plb_sections_init(&cut, k->s, k->f, 0, k->m->err);
-    double low = fmax(cut.bounds.y0, page.y0), high = fmin(cut.bounds.y1, page.y1), room = high - low - k->width;
+    bool ok = scan_init(&at, k);
+    double low = fmax(at.cut.bounds.y0, page.y0), high = fmin(at.cut.bounds.y1, page.y1), room = high - low - k->width;
     double passes = room > 0 ? fmin(ceil(room / (PASS_WIDTHS * k->width)), MOST_PASSES) : 0;
     double apart = passes > 0 ? room / passes : 0, first = passes > 0 ? low + k->width / 2 : (low + high) / 2;
+    k->apart = apart;
     for (uint64_t i = 0; ok && (double)i <= passes; i++) {
         double v = first + apart * ((double)i + (i > 0 && (double)i < passes ? PASS_STRAY * stray(k, i) : 0));
-        ok = plb_sections_at(&cut, v, 0, k->m->err);
-        for (size_t j = 0; ok && j < cut.spans.n; j++)
-            ok = add_pass(k, &open, cut.spans.v[j], v, i, j) || plb_fail_memory(k->m->err);
+        ok = scan_at(&at, k, i, v);
+        for (size_t j = 0; ok && j < at.cut.spans.n; j++)
+            ok = add_pass(k, &open, &at, j) || plb_fail_memory(k->m->err);
         ok = end_unmet(k, &open, false) && ok;
     }
     ok = end_unmet(k, &open, true) && ok;
     array_free(&open);
-    plb_sections_free(&cut);
+    scan_free(&at);
     return ok;
 }
 
@@ -257,16 +358,16 @@ static bool follow_inside(const scribble *k, bool *done)
 bool plb_scribble(const shape *s, box page, const marks *m, bool *outline)
 {
     double width = m->how->pencil_width, angle = s->elongation > LONG_ELONGATION ? s->axis : HATCH_HABIT;
-    scribble k = {s, m, plb_frame(angle), width, random_key(m->how->seed, s->identity, PURPOSE_HATCH)};
-    box b = extent(&k);
-    bool is_bar = s->area > 0.7 * (b.x1 - b.x0) * (b.y1 - b.y0), done = false;
+    scribble k = {s, m, plb_frame(angle), width, 0, random_key(m->how->seed, s->identity, PURPOSE_HATCH)};
+    box b = extent_in(s, k.f);
+    bool is_bar = s->area > BAR_COVER * (b.x1 - b.x0) * (b.y1 - b.y0), done = false;
     *outline = false;
     if (b.x1 - b.x0 < DAB_WIDTHS * width && b.y1 - b.y0 < DAB_WIDTHS * width)
         return dab(&k, b);
     if (is_bar && b.y1 - b.y0 < STROKE_WIDTHS * width)
         return single_stroke(&k, b);
     *outline = true;
-    if (2 * s->area / s->perimeter < 0.9 * width)
+    if (2 * s->area / s->perimeter < SLIVER_WIDTHS * width)
         return true; /* its outline alone fills it */
     bool ok = back_and_forth(&k, plb_frame_box(k.f, page)) && follow_inside(&k, &done);
     *outline = !done;

@@ -324,6 +324,15 @@ static void set_reach(piece *k, double half_width)
         *(turn > 0 ? &k->right : &k->left) = inside;
 }
 
+/* Where the path turns back on itself, as in a scribble, the bisector runs nearly along the pieces and would let them
+ * reach far beyond their ends: from this cosine of half the turn on they end straight. */
+#define SHARPEST_HALF_TURN 0.6
+
+static point joint_of(point bisector, point along)
+{
+    return point_dot(bisector, along) < SHARPEST_HALF_TURN ? along : bisector;
+}
+
 static piece piece_of(const mapper *m, const path_sample *from, const path_sample *to, double px, bool first, bool last)
 {
     piece k = {.p0 = point_scale(from->at, px), .p1 = point_scale(to->at, px), .b0 = from->tangent, .b1 = to->tangent};
@@ -331,6 +340,8 @@ static piece piece_of(const mapper *m, const path_sample *from, const path_sampl
     k.length = plb_point_length(d);
     k.t = point_scale(d, 1 / k.length);
     k.s0 = from->along * px * m->strip_px;
+    k.b0 = joint_of(k.b0, k.t);
+    k.b1 = joint_of(k.b1, k.t);
     double over = m->s->beyond / m->strip_px;
     if (first || last) {
         if (first) {

@@ -27,3 +27,17 @@ for pencil in 2H HB 6B; do
         before=$got
     done
 done
+
+# a gradient by its local tone: seen through four windows side by side
+before=1
+for x in 0 20 40 60; do
+    cat >gradient.svg <<SVG
+<svg xmlns="http://www.w3.org/2000/svg" width="20mm" height="20mm" viewBox="$x 0 20 20"><linearGradient id="g" gradientUnits="userSpaceOnUse" x1="0" x2="80" y1="0" y2="0"><stop offset="0"/><stop offset="1" stop-color="#fff"/></linearGradient>
+<rect x="-10" y="-10" width="100" height="40" fill="url(#g)"/></svg>
+SVG
+    "$PLUMBAGO" -p 6B -d 150 -o gradient.png gradient.svg || fail "a gradient from $x mm" "it is not drawn"
+    got=$(tool png_stats gradient.png | awk '{ print 1 - $4 / 255 }')
+    if awk -v got="$got" -v x=$x -v before="$before" 'BEGIN { want = 1 - (x + 10) / 80; want = want > .6 ? .6 : want; exit !(got > want - .1 && got < want + .12 && got < before) }'
+    then ok "its tone from $x mm: $got"; else fail "its tone from $x mm" "$got, before $before"; fi
+    before=$got
+done

@@ -3,8 +3,10 @@
 # ACCEPT=1 makes what is there now the reference.
 . "$ROOT/tests/check.sh"
 unset -f plumbago
-for drawing in lines dashes clip use transforms units style; do
+# hatching to a tone has no golden strokes: its spacing is measured on the pencil
+for drawing in lines dashes clip use transforms units style solids gradients; do
     for stage in list strokes; do
+        [ "$drawing $stage" = "gradients strokes" ] && continue
         golden=$ROOT/tests/stage/$drawing.$stage.txt
         "$PLUMBAGO" -q --dump=$stage "$ROOT/tests/image/$drawing.svg" -o now.txt || { fail "$drawing, $stage" "it is not drawn"; continue; }
         # the tap hands over 24.8 fixed point: the last digit may differ between versions of cairo

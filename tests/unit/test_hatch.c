@@ -285,6 +285,45 @@ static void huge_shapes_stay_in_bounds(void)
     plb_list_free(&list);
 }
 
+/* How much of the marks, mm times pressure, lies in each third of the way from x = 20 to 80. */
+typedef struct {
+    double ink[3];
+} thirds;
+
+static bool count_thirds(void *closure, const track *t)
+{
+    thirds *k = closure;
+    for (size_t i = 1; i < t->points.n; i++) {
+        point a = t->points.v[i - 1].at, b = t->points.v[i].at;
+        int which = (int)(((a.x + b.x) / 2 - 20) / 20);
+        k->ink[which < 0 ? 0 : which > 2 ? 2 : which] += plb_point_distance(a, b) * (double)t->touch.pressure;
+    }
+    return true;
+}
+
+static void gradients_are_hatched_by_their_local_tone(void)
+{
+    plan_options how = plb_plan_options_default();
+    display_list list;
+    item it = fill_of(.5);
+    gradient g = {.from = {20, 0}, .to = {80, 0}, .extend = GRADIENT_PAD, .to_space = MATRIX_IDENTITY, .opacity = 1};
+    thirds k = {{0, 0, 0}};
+    bool outline = false;
+    plb_list_init(&list);
+    list.width = list.height = 100;
+    it.paint.kind = PAINT_GRADIENT;
+    plb_gradient_add_stop(&g, (gradient_stop){0, .1f, .1f, .1f, 1});
+    plb_gradient_add_stop(&g, (gradient_stop){1, 1, 1, 1, 1});
+    CHECK(plb_list_add_gradient(&list, &g, &it.gradient, NULL));
+    CHECK(it.gradient == 1);
+    rectangle(&it, 20, 20, 80, 60);
+    CHECK(plb_list_add(&list, &it, NULL));
+    hatcher h = plb_hatcher(&list, &how);
+    CHECK(plb_plan_hatch(&h, &list.items.v[0], 0, &outline, count_thirds, &k, NULL));
+    CHECK(outline && k.ink[0] > 1.7 * k.ink[1] && k.ink[1] > 2.2 * k.ink[2] && k.ink[2] > 0);
+    plb_list_free(&list);
+}
+
 static void slivers_and_nothing(void)
 {
     item flat = fill_of(0), point_like = fill_of(0), sliver = fill_of(0);
@@ -315,6 +354,7 @@ int main(void)
     RUN(an_arrowhead_is_scribbled_inside);
     RUN(another_seed_moves_every_line);
     RUN(huge_shapes_stay_in_bounds);
+    RUN(gradients_are_hatched_by_their_local_tone);
     RUN(slivers_and_nothing);
     CHECK_EXIT;
 }
