@@ -18,7 +18,7 @@
 #define SMALL_MM 8.0
 #define COMPACT 0.85         /* largest radius to 2 area / perimeter: above, and */
 #define ROUND 3.6            /* perimeter^2 to 4 pi area: below, a dot or an arrowhead; a disc 1, a triangle 1 x 4 3.3 */
-#define DOT_STEMS 2.6        /* largest size of the dots among letters */
+#define DOT_STEMS 4.0        /* largest size of the dots and commas among letters */
 #define LONE_DOT_PENCILS 1.3 /* a dot by itself is lettering up to this size */
 #define THICK 2.0            /* the largest disc of a part may be this many strokes wide */
 #define DETAIL_PENCILS 0.12  /* what sticks out less than this is not drawn */
@@ -28,8 +28,9 @@ typedef struct {
     const plan_options *how;
     double stem;   /* of the whole fill, mm */
     double height; /* of its tallest part: the shorter side of its bounds, mm */
+    bool is_bar;   /* one shape of at most four sides */
     float pressure;
-    size_t letters, dots;
+    size_t letters; /* parts that are no dots */
     ARRAY(track) tracks;
 } lettering;
 
@@ -52,12 +53,13 @@ static void measure(lettering *l, const letter_parts *parts)
         perimeter += p->perimeter;
         l->height = fmax(l->height, fmin(p->bounds.x1 - p->bounds.x0, p->bounds.y1 - p->bounds.y0));
     }
+    l->is_bar = parts->parts.n == 1 && parts->parts.v[0].outline.points.n <= 4;
     l->stem = perimeter > 0 ? 2 * area / perimeter : 0;
 }
 
 static bool is_thin(const lettering *l, double stem)
 {
-    return stem <= THIN_PENCILS * l->how->pencil_width || (stem <= THIN_MM && l->height <= SMALL_MM);
+    return stem <= THIN_PENCILS * l->how->pencil_width || (stem <= THIN_MM && l->height <= SMALL_MM && !l->is_bar);
 }
 
 /* Thin letters are drawn lightly: a light line is a narrow one. */
@@ -121,7 +123,7 @@ static bool draw_axis(lettering *l, raster *r, double stem, error *err)
     medial m = {0};
     pen p = {0};
     bool ok = plb_medial_thin(r, err) && plb_medial_graph(&m, r, err) &&
-              plb_medial_prune(&m, DETAIL_PENCILS * l->how->pencil_width / r->pixel, err) &&
+              plb_medial_prune(&m, stem / r->pixel, DETAIL_PENCILS * l->how->pencil_width / r->pixel, err) &&
               plb_medial_corners(&m, r, err) && plb_medial_strokes(&m, r, NIB_PENCILS * l->how->pencil_width / r->pixel, &p, err) && plb_pen_smooth(&p, stem / r->pixel, err);
     for (size_t i = 0; ok && i < p.strokes.n; i++)
         if (p.strokes.v[i].n > 1)
@@ -157,15 +159,14 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
     double radius = r.width ? plb_raster_largest_radius(&r) * r.pixel : 0;
     bool ok = true, compact = radius > COMPACT * stem && part->perimeter < ROUND * 2 * PLB_PI * stem; /* P^2/A = 2 P / stem */
     *taken = r.width && is_thin(l, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->how->pencil_width);
-    if (*taken && compact) {
-        double most = fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->how->pencil_width);
-        *taken = size_of(part->bounds) <= most;
-        l->dots++;
-        ok = !*taken || add_dot(l, part->bounds) || plb_fail_memory(err);
-    } else if (*taken) {
-        l->letters++;
+    if (*taken && compact)
+        *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->how->pencil_width);
+    size_t before = l->tracks.n;
+    if (*taken)
         ok = draw_axis(l, &r, stem, err);
-    }
+    if (ok && *taken && l->tracks.n == before) /* of a comma there is a line */
+        ok = add_dot(l, part->bounds) || plb_fail_memory(err);
+    l->letters += *taken && !compact;
     plb_raster_free(&r);
     return ok;
 }

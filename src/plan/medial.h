@@ -97,8 +97,8 @@ bool plb_medial_arms_meet(const medial_arm *a, const medial_arm *b, point *at);
 /* 0 when the two go on straight into each other, up to pi; radians. */
 double plb_medial_arms_bend(const medial_arm *a, const medial_arm *b);
 
-/* medial_prune.c: takes away spurs, serifs and doubled joints. `detail`: what sticks out less than this is a spur. */
-bool plb_medial_prune(medial *m, double detail, error *err);
+/* medial_prune.c: takes away spurs, serifs and doubled joints. `stem`: the shape's usual thickness; `detail`: what sticks out less than this is a spur. */
+bool plb_medial_prune(medial *m, double stem, double detail, error *err);
 
 /* medial_corner.c: branches are parted where a stroke turns a corner. */
 bool plb_medial_corners(medial *m, const raster *r, error *err);

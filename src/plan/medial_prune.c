@@ -13,8 +13,12 @@
 
 /* In radii of the joint's disc (all chosen by eye on the fonts of the corpus). */
 #define SPUR 1.0       /* the corner of a square end sticks out .41, on pixels up to .9 */
+#define POINTED 0.28   /* in stem thicknesses: the radius at such a tip */
+#define LEAST 0.4      /* in stem thicknesses: R is not less, near a stem's end it would be */
+#define STUB 0.5       /* the same of a leaf with a blunt tip, such as the arms of a t */
 #define BENT 1.5       /* the same of a leaf round a corner: what is left of an end's fork */
 #define SLACK 0.75     /* pixels: the disc of a joint is found too small by as much */
+#define THIN 0.72      /* radius in the middle of a leaf */
 #define SERIF 2.0      /* Times: 1.5 */
 #define WEDGE 1.4      /* how far past the lines' meeting a wedge's tip may reach */
 #define WEDGE_LONGEST 4.5
@@ -42,9 +46,18 @@ static double protrusion(const medial *m, const medial_branch *b, int joint)
     return plb_point_distance(tip->at, j->at) + tip->radius - j->radius;
 }
 
-static double least_leaf(const medial_node *joint, double detail)
+/* Thinner than the stroke that it hangs on: a serif, or the wedge of a corner. */
+static bool is_thin(const medial *m, const medial_branch *leaf, int joint)
 {
-    return fmax((joint->degree == 2 ? BENT : SPUR) * joint->radius + SLACK, detail);
+    return m->points.v[leaf->first + leaf->n / 2].radius < THIN * m->nodes.v[joint].radius;
+}
+
+static bool is_spur(const medial *m, const medial_branch *leaf, int joint, double stem, double detail)
+{
+    const medial_node *j = &m->nodes.v[joint];
+    bool pointed = m->nodes.v[other_node(leaf, joint)].radius < POINTED * stem;
+    double least = (!pointed ? STUB : j->degree == 2 && is_thin(m, leaf, joint) ? BENT : SPUR) * fmax(j->radius, LEAST * stem) + SLACK;
+    return protrusion(m, leaf, joint) < fmax(least, detail);
 }
 
 /* A leaf and its tip. */
@@ -57,13 +70,13 @@ static void drop(medial *m, medial_branch *b, int joint)
 }
 
 /* All of a joint in one round: neither corner of an end is left over. */
-static bool drop_spurs(medial *m, double detail)
+static bool drop_spurs(medial *m, double stem, double detail)
 {
     bool any = false;
     for (size_t i = 0; i < m->branches.n; i++) {
         medial_branch *b = &m->branches.v[i];
         int joint = joint_of(m, b);
-        b->spur = joint >= 0 && protrusion(m, b, joint) < least_leaf(&m->nodes.v[joint], detail) ? joint : -1;
+        b->spur = joint >= 0 && is_spur(m, b, joint, stem, detail) ? joint : -1;
         any |= b->spur >= 0;
     }
     for (size_t i = 0; i < m->branches.n; i++) {
@@ -134,23 +147,30 @@ static bool join_straight(medial *m)
 static bool is_short_leaf(const medial *m, size_t branch, int node)
 {
     const medial_branch *b = &m->branches.v[branch];
-    return joint_of(m, b) == node && protrusion(m, b, node) < SERIF * m->nodes.v[node].radius;
+    return joint_of(m, b) == node && is_thin(m, b, node) && protrusion(m, b, node) < SERIF * m->nodes.v[node].radius;
 }
 
-static void drop_serifs(medial *m, int node, const size_t *at, int n)
+/* Both leaves are short and go off to opposite sides of the third branch. */
+static bool are_serifs(const medial *m, int node, size_t first, size_t second)
 {
-    int longer = -1;
-    for (int i = 0; i < n; i++)
-        if (!is_short_leaf(m, at[i], node)) {
-            if (longer >= 0)
-                return;
-            longer = i;
-        }
-    if (longer < 0 || m->branches.v[at[longer]].length < 3 * m->nodes.v[node].radius)
+    if (!is_short_leaf(m, first, node) || !is_short_leaf(m, second, node))
+        return false;
+    point here = m->nodes.v[node].at;
+    point a = point_sub(m->nodes.v[other_node(&m->branches.v[first], node)].at, here);
+    point b = point_sub(m->nodes.v[other_node(&m->branches.v[second], node)].at, here);
+    return point_dot(a, b) < -0.6 * plb_point_length(a) * plb_point_length(b);
+}
+
+static void drop_serifs(medial *m, int node, const size_t *at)
+{
+    for (int stem = 0; stem < 3; stem++) {
+        size_t first = at[(stem + 1) % 3], second = at[(stem + 2) % 3];
+        if (m->branches.v[at[stem]].length < 3 * m->nodes.v[node].radius || !are_serifs(m, node, first, second))
+            continue;
+        drop(m, &m->branches.v[first], node);
+        drop(m, &m->branches.v[second], node);
         return;
-    for (int i = 0; i < n; i++)
-        if (i != longer)
-            drop(m, &m->branches.v[at[i]], node);
+    }
 }
 
 static bool is_wedge(const medial *m, int node, size_t leaf, size_t first, size_t second)
@@ -180,10 +200,10 @@ static void drop_ends(medial *m)
     for (size_t k = 0; k < m->nodes.n; k++) {
         size_t at[5];
         int degree = m->nodes.v[k].degree;
-        if (degree < 3 || degree > 4 || branches_at(m, (int)k, at, 5) != degree)
+        if (degree != 3 || branches_at(m, (int)k, at, 5) != degree) /* of four, two cross: a t */
             continue;
-        drop_serifs(m, (int)k, at, degree);
-        if (degree == 3 && m->nodes.v[k].degree == 3)
+        drop_serifs(m, (int)k, at);
+        if (m->nodes.v[k].degree == 3)
             drop_wedge(m, (int)k, at);
     }
 }
@@ -215,13 +235,13 @@ static void merge_joints(medial *m)
     }
 }
 
-bool plb_medial_prune(medial *m, double detail, error *err)
+bool plb_medial_prune(medial *m, double stem, double detail, error *err)
 {
     bool ok = join_straight(m);
-    while (ok && drop_spurs(m, detail))
+    while (ok && drop_spurs(m, stem, detail))
         ok = join_straight(m);
+    merge_joints(m);
     drop_ends(m);
     ok = ok && join_straight(m);
-    merge_joints(m);
     return ok || plb_fail_memory(err);
 }
