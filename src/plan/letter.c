@@ -18,8 +18,9 @@
 #define SMALL_MM 8.0
 #define COMPACT 0.85         /* largest radius to 2 area / perimeter: above, and */
 #define ROUND 3.6            /* perimeter^2 to 4 pi area: below, a dot or an arrowhead; a disc 1, a triangle 1 x 4 3.3 */
-#define DOT_STEMS 4.0        /* largest size of the dots and commas among letters */
+#define DOT_STEMS 5.0        /* largest size of the dots and commas among letters */
 #define LONE_DOT_PENCILS 1.3 /* a dot by itself is lettering up to this size */
+#define LEAST_RING_MM 0.07
 #define THICK 2.0            /* the largest disc of a part may be this many strokes wide */
 #define DETAIL_PENCILS 0.12  /* what sticks out less than this is not drawn */
 #define NIB_PENCILS 0.5      /* a stroke ends half of this before the tip */
@@ -93,27 +94,28 @@ static bool add_track(lettering *l, const raster *r, const pen *p, const pen_str
     return ok;
 }
 
-/* A touch of the pencil; a dot wider than the line is a small ring. */
+/* The point turns on the spot, in a ring as wide as the dot needs. */
 static bool add_dot(lettering *l, box b)
 {
-    track t = {.touch = {l->pressure, 0, STROKE_LETTER}};
+    track t = {.closed = true, .touch = {l->pressure, 0, STROKE_LETTER}};
     point middle = {(b.x0 + b.x1) / 2, (b.y0 + b.y1) / 2};
-    double size = size_of(b), radius = (size - l->how->pencil_width) / 2;
+    double radius = fmax((size_of(b) - l->how->pencil_width) / 2, LEAST_RING_MM);
     bool ok = true;
-    if (radius < 0.25 * l->how->pencil_width) {
-        double half = fmax(0.1, 0.3 * size);
-        ok = push_point(&t, (point){middle.x - half * 0.5, middle.y - half}, false) && push_point(&t, (point){middle.x + half * 0.5, middle.y + half}, false);
-    } else {
-        for (int i = 0; ok && i <= 12; i++) {
-            double a = -PLB_PI / 2 - (i % 12) * PLB_PI / 6;
-            ok = push_point(&t, (point){middle.x + radius * cos(a), middle.y + radius * sin(a)}, false);
-        }
-        t.closed = true;
+    for (int i = 0; ok && i <= 12; i++) {
+        double a = -PLB_PI / 2 - (i % 12) * PLB_PI / 6;
+        ok = push_point(&t, (point){middle.x + radius * cos(a), middle.y + radius * sin(a)}, false);
     }
     ok = ok && array_push(&l->tracks, t);
     if (!ok)
         array_free(&t.points);
     return ok;
+}
+
+/* About as high as wide, and of one disc or hardly longer than a stroke is thick. */
+static bool is_dot(const lettering *l, box b, bool compact)
+{
+    double w = b.x1 - b.x0, h = b.y1 - b.y0;
+    return fmax(w, h) < 1.6 * fmin(w, h) && (compact || fmax(w, h) < 1.8 * l->stem);
 }
 
 /* ---- one part ---- */
@@ -156,13 +158,13 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
     double stem;
     if (!fill_raster(&r, part, &stem, err))
         return false;
-    double radius = r.width ? plb_raster_largest_radius(&r) * r.pixel : 0;
+    double radius = r.largest * r.pixel;
     bool ok = true, compact = radius > COMPACT * stem && part->perimeter < ROUND * 2 * PLB_PI * stem; /* P^2/A = 2 P / stem */
     *taken = r.width && is_thin(l, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->how->pencil_width);
     if (*taken && compact)
         *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->how->pencil_width);
     size_t before = l->tracks.n;
-    if (*taken)
+    if (*taken && !is_dot(l, part->bounds, compact))
         ok = draw_axis(l, &r, stem, err);
     if (ok && *taken && l->tracks.n == before) /* of a comma there is a line */
         ok = add_dot(l, part->bounds) || plb_fail_memory(err);

@@ -29,6 +29,7 @@ typedef struct {
     point origin;      /* where pixel (0, 0) begins, in the outline's unit */
     double pixel;      /* its side, in the outline's unit */
     size_t area;       /* pixels inside */
+    double largest;    /* radius of all */
     float *radius;     /* of the largest disc around each pixel's centre, <= 0: outside */
     uint8_t *on;       /* the pixels inside; after thinning the medial axis */
 } raster;
@@ -40,7 +41,6 @@ typedef struct {
  * RASTER_MAX_PIXELS is left empty (width 0) with true. */
 bool plb_raster_fill(raster *r, const contour_set *o, double pixel, error *err);
 void plb_raster_free(raster *r);
-double plb_raster_largest_radius(const raster *r);
 static inline bool raster_inside(const raster *r, point p)
 {
     return p.x >= 0 && p.y >= 0 && p.x < r->width && p.y < r->height && r->radius[(int)p.y * r->width + (int)p.x] > 0;

@@ -70,12 +70,24 @@ static double thickness(const raster *r, point at, point across)
     return reach(r, at, across) + reach(r, at, point_scale(across, -1));
 }
 
+/* A glance, cheap: whether the chords to both sides bend at all. */
+static bool may_turn(const medial *m, const medial_branch *b, size_t i)
+{
+    const medial_point *p = m->points.v + b->first;
+    size_t reach = (size_t)fmax(2 * p[i].radius, 2), first = i > reach ? i - reach : 0, last = i + reach < b->n ? i + reach : b->n - 1;
+    point in = point_sub(p[i].at, p[first].at), on = point_sub(p[last].at, p[i].at);
+    double along = point_dot(in, on);
+    return along <= 0 || along * along < 0.85 * point_dot(in, in) * point_dot(on, on); /* 23 degrees */
+}
+
 /* The sharpest corner of the branch, or 0. */
 static size_t find_corner(const medial *m, const medial_branch *b, const raster *r)
 {
     size_t found = 0;
     double most = THICKER;
     for (size_t i = 2; i + 2 < b->n; i++) {
+        if (!may_turn(m, b, i))
+            continue;
         medial_point p = m->points.v[b->first + i];
         side before = look(m, b, i, -1), after = look(m, b, i, 1);
         point out = {0, 0};

@@ -58,12 +58,14 @@ static void count_contours(const raster *r, const contour_set *o, int16_t *chang
 
 static void mark_inside(raster *r, const contour_set *o, const int16_t *change)
 {
+    int mask = o->even_odd ? 1 : -1, area = 0;
     for (int y = 0; y < r->height; y++)
-        for (int x = 0, winding = 0; x < r->width; x++) {
-            winding += change[y * r->width + x];
-            r->on[y * r->width + x] = o->even_odd ? winding & 1 : winding != 0;
-            r->area += r->on[y * r->width + x];
+        for (int i = y * r->width, end = i + r->width, winding = 0; i < end; i++) {
+            winding += change[i];
+            r->on[i] = (winding & mask) != 0;
+            area += r->on[i];
         }
+    r->area = (size_t)area;
 }
 
 /* In `up`, how many pixels up or down the nearest one outside is. */
@@ -79,8 +81,10 @@ static void measure_columns(const raster *r, int16_t *up)
                 up[y * w + x] = (int16_t)(up[(y + 1) * w + x] + 1);
 }
 
-static void measure_row(const raster *r, const int16_t *up, float *radius)
+/* The largest distance, squared. */
+static int measure_row(const raster *r, const int16_t *up, float *radius)
 {
+    int most = 0;
     for (int x = 0; x < r->width; x++) {
         int best = up[x] * up[x];
         for (int d = 1; d * d < best; d++) { /* outside the row's ends `up` is 0: the search stops in time */
@@ -88,8 +92,10 @@ static void measure_row(const raster *r, const int16_t *up, float *radius)
             best = left < best ? left : best;
             best = right < best ? right : best;
         }
-        radius[x] = best ? (float)(sqrt(best) - 0.5) : 0;
+        radius[x] = best ? sqrtf((float)best) - 0.5f : 0;
+        most = best > most ? best : most;
     }
+    return most;
 }
 
 bool plb_raster_fill(raster *r, const contour_set *o, double pixel, error *err)
@@ -110,24 +116,18 @@ bool plb_raster_fill(raster *r, const contour_set *o, double pixel, error *err)
     r->on = plb_new(n, sizeof *r->on);
     r->radius = plb_new(n, sizeof *r->radius);
     bool ok = work && r->on && r->radius;
+    double most = 0;
     if (ok) {
         count_contours(r, o, work);
         mark_inside(r, o, work);
         memset(work, 0, n * sizeof *work);
         measure_columns(r, work);
         for (int y = 0; y < r->height; y++)
-            measure_row(r, work + y * r->width, r->radius + y * r->width);
+            most = fmax(most, measure_row(r, work + y * r->width, r->radius + y * r->width));
+        r->largest = most > 0 ? sqrt(most) - 0.5 : 0;
     } else {
         plb_raster_free(r);
     }
     plb_free(work);
     return ok || plb_fail_memory(err);
-}
-
-double plb_raster_largest_radius(const raster *r)
-{
-    float most = 0;
-    for (int i = 0; i < r->width * r->height; i++)
-        most = r->radius[i] > most ? r->radius[i] : most;
-    return most;
 }

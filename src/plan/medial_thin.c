@@ -69,7 +69,7 @@ static int level_of(const raster *r, int i)
 /* The pixels inside, nearest to the edge first: a counting sort. */
 static int *sort_by_distance(const raster *r)
 {
-    int levels = (int)(plb_raster_largest_radius(r) * 8) + 2, n = r->width * r->height;
+    int levels = (int)(r->largest * 8) + 2, n = r->width * r->height;
     size_t *count = plb_new((size_t)levels + 1, sizeof *count);
     int *sorted = plb_new(r->area ? r->area : 1, sizeof *sorted);
     if (count && sorted) {
