@@ -18,6 +18,7 @@ plb_options plb_options_default(void)
     o.model = PLB_MODEL_GRAPHITE;
     o.squiggle = -1; /* the arm's own */
     o.dpi = 300;
+    o.pressure = 1;
     o.compress = 1;
     o.limit_time = PROCESS_LIMITS.seconds;
     o.limit_memory = (double)(PROCESS_LIMITS.memory >> 20);
@@ -30,6 +31,8 @@ bool plb_api_check(const plb_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "the resolution must be 10 to 4800 dpi");
     if (o->paper > PLB_PAPER_NONE)
         return plb_fail(err, ERROR_ARGUMENT, "there is no such paper");
+    if (!(o->pressure >= 0.2 && o->pressure <= 3))
+        return plb_fail(err, ERROR_ARGUMENT, "the pressure must be 0.2 to 3 times the usual");
     if (!(o->scale >= 0 && o->scale <= 1e4))
         return plb_fail(err, ERROR_ARGUMENT, "the scale must be at most 10000");
     if (!(o->width >= 0 && o->height >= 0 && o->width <= 1e5 && o->height <= 1e5))

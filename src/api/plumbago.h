@@ -77,6 +77,7 @@ typedef struct {
     double dpi;                 /* of the scans; 0: what the PNG says, else 300 */
     int centre_min, centre_max; /* use only lines whose median grey at the centre lies in [min, max]; 0 and 255: all */
     double width;               /* stretch the cross-section to this width at half depth, mm; 0: as measured */
+    const plb_profile *grain;   /* borrow in part the grain of this pencil, borrowed; NULL: as measured */
     plb_message_function message; /* told about each scan; may be NULL */
     void *closure;
 } plb_capture_options;
@@ -131,6 +132,7 @@ typedef enum { PLB_BACKGROUND_WHITE, PLB_BACKGROUND_NONE } plb_background;
 typedef struct {
     const plb_profile *profile; /* the pencil; NULL: HB */
     plb_paper paper;            /* what graphite is drawn on; default medium */
+    double pressure;            /* times the usual, 0.2 to 3; default 1 */
     uint64_t seed;              /* default 1 */
     plb_model model;            /* default graphite */
     plb_arm arm;                /* how the arm moves; default: the model's own */

@@ -75,6 +75,9 @@ void plb_grain_between(const grain_lines *lines, const grain_moments *m, grain_m
  * false. */
 bool plb_grain_capture(const line_strip strips[], size_t n, double width, grain_model *g, error *err);
 
+/* Takes the correlation of another grain, and its spread in part: the more the less dark. */
+void plb_grain_borrow(grain_model *g, const grain_model *from);
+
 /* ---- grain_fields.c: the numbers of a grain_model in the order of the file, and what they may be ---- */
 
 typedef struct {

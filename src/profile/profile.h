@@ -109,6 +109,7 @@ typedef struct {
     double dpi;              /* of the scans; 0: from the PNG's pHYs, else 300 */
     int centre_min, centre_max; /* only lines whose median grey at the centre lies within; 0, 255: all */
     double width;            /* mm: stretch the section so that its width at half depth is this; 0: as measured */
+    const grain_model *grain; /* borrow from this one: the tooth that lines pressed hard do not show; NULL: as measured */
     messenger say;           /* one detail line per scan: what was found, or why it was left out */
 } capture_options;
 capture_options plb_capture_defaults(void);

@@ -273,8 +273,11 @@ static bool check_options(const capture_options *o, error *err)
 static bool capture_grain(const capture *c, profile *p, error *err)
 {
     bool as_scanned = has_grain_resolution(c);
-    return plb_grain_capture(as_scanned ? c->strips.v : c->reduced.v, as_scanned ? c->strips.n : c->reduced.n,
-                             c->options->width / MM_PER_INCH * PAPER_PX_PER_INCH, &p->grain, err);
+    bool good = plb_grain_capture(as_scanned ? c->strips.v : c->reduced.v, as_scanned ? c->strips.n : c->reduced.n,
+                                  c->options->width / MM_PER_INCH * PAPER_PX_PER_INCH, &p->grain, err);
+    if (good && c->options->grain)
+        plb_grain_borrow(&p->grain, c->options->grain);
+    return good;
 }
 
 static profile *make_profile(const capture *c, error *err)

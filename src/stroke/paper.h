@@ -15,7 +15,6 @@
 
 typedef struct {
     double share;                    /* of the grain's variance that is the paper's, 0 to 1 */
-    int weight_field, weight_paper;  /* roots of the stroke's share and the paper's, of 256 */
     double correlation[PAPER_LAGS];  /* of heights so many texels apart along an axis; along both: the product */
     int8_t tile[PAPER_TILES][PAPER_SIDE_MAX][PAPER_SIDE_MAX + PAPER_RUN];
 } paper;

@@ -35,13 +35,26 @@ bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint6
     return true;
 }
 
-/* The pencil is lifted only where the line ends, not at a corner. */
-static grain_ends ends_of(const path_samples *path, const stroke *s)
+static double pressure_of(const stroke *s, const stroke_options *o)
 {
+    double own = s->touch.pressure > 0 ? (double)s->touch.pressure : 1;
+    return o->pressure > 0 ? own * o->pressure : own;
+}
+
+/* The pencil is lifted only where the line ends, not at a corner; in hatching it comes down while the hand moves already,
+ * in lettering it stands still at both ends. */
+static grain_ends ends_of(const path_samples *path, const stroke *s, const stroke_options *o)
+{
+    double pressure = pressure_of(s, o);
+    float first = (float)(pressure * (double)path->pressure_first), last = (float)(pressure * (double)path->pressure_last);
     grain_end free_first = path->backward ? GRAIN_LEAVE : GRAIN_START, free_last = path->backward ? GRAIN_START : GRAIN_LEAVE;
     if (path->closed)
-        return (grain_ends){GRAIN_JOINT, GRAIN_JOINT};
-    return (grain_ends){s->corner_first ? GRAIN_CORNER : free_first, s->corner_last ? GRAIN_CORNER : free_last};
+        return (grain_ends){GRAIN_JOINT, GRAIN_JOINT, first, last};
+    if (s->touch.kind == STROKE_HATCH)
+        free_first = free_last = GRAIN_LEAVE;
+    if (s->touch.kind == STROKE_LETTER)
+        free_first = free_last = GRAIN_START;
+    return (grain_ends){s->corner_first ? GRAIN_CORNER : free_first, s->corner_last ? GRAIN_CORNER : free_last, first, last};
 }
 
 bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, patch_sink sink,
@@ -56,12 +69,14 @@ bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_opti
     double length_px = path->v[path->n - 1].along / MM_PER_INCH * dpi;
     shading texture;
     if (o->model == MODEL_GRAPHITE) {
-        if (!plb_grain_make(&scratch->grain, length_px, ends_of(path, s), o->pencil, o->seed, s->identity, err))
+        if (!plb_grain_make(&scratch->grain, length_px, ends_of(path, s, o), o->pencil, o->seed, s->identity, err))
             return false;
         texture = plb_grain_shading(&scratch->grain, dpi, o->dpi);
     } else {
         if (!plb_texture(&scratch->strip, length_px, s->closed, o->pencil, o->seed, s->identity, err))
             return false;
+        if (pressure_of(s, o) != 1) /* at the usual one they are the papers' greys, bit for bit */
+            plb_strip_press(&scratch->strip, pressure_of(s, o));
         texture = plb_strip_shading(&scratch->strip, dpi);
     }
     map_page page = {o->dpi, o->clip_top, o->clip_foot};

@@ -37,6 +37,7 @@ typedef struct {
     double squiggle; /* largest deviation D, mm, >= 0; negative: the arm's own */
     double dpi;      /* of the page's pixels */
     int clip_top, clip_foot; /* only the page's rows [top, foot) are wanted; both 0: all */
+    double pressure; /* times each stroke's own; 0: as 1 */
 } stroke_options;
 
 /* ---- stages, each usable and testable alone ---- */
@@ -143,6 +144,8 @@ typedef struct {
 
 /* The papers' strip as such a texture (bilinear between its pixels). */
 shading plb_strip_shading(const strip *s, double dpi);
+/* Its greys darker or paler, as `pressure` has it. */
+void plb_strip_press(strip *s, double pressure);
 
 /* Room for mapping, kept from stroke to stroke. */
 typedef struct {
@@ -183,6 +186,7 @@ typedef struct {
     uint8_t *ends;           /* [column]: pressure, of 255; 255 but near the ends */
     size_t field_room, level_room, ends_room;
     int plain_first, plain_last; /* between these columns `ends` is 255 */
+    int weight_field, weight_paper; /* of the stroke's own field and the paper's heights in the score, of 256 */
     const int8_t *bend;      /* of this line's roughness: score less field value */
     uint32_t depth;          /* 255 - grey of the line's middle, in 1/256 */
     float narrow;            /* px at the pencil's mean width per px across: this line's own width */
@@ -198,6 +202,7 @@ void plb_grain_free(grain *g);
 typedef enum { GRAIN_START, GRAIN_LEAVE, GRAIN_CORNER, GRAIN_JOINT } grain_end;
 typedef struct {
     grain_end first, last;
+    float pressure_first, pressure_last; /* times the usual, changing evenly between the ends; 0: usual */
 } grain_ends;
 
 /* Pages finer than this show single pixels of the field: their edges are broken up. */

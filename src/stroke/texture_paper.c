@@ -74,8 +74,6 @@ bool plb_paper_make(paper *p, paper_kind kind, const float normal[])
     const recipe *r = &recipes[kind];
     double a = r->neighbour, energy = 1 + 2 * a * a;
     p->share = r->share;
-    p->weight_paper = (int)floor(sqrt(r->share) * 256 + 0.5);
-    p->weight_field = (int)floor(sqrt(1 - r->share) * 256 + 0.5);
     p->correlation[0] = 1;
     p->correlation[1] = 2 * a / energy;
     p->correlation[2] = a * a / energy;

@@ -128,14 +128,15 @@ static void press(const grain *g, const run *r, int16_t level[RUN])
         level[i] = (int16_t)((level[i] * (g->ends[r->column[i]] + 1) + 128) >> 8);
 }
 
-/* Adds the paper's share. */
+/* The scores: the stroke's share and the paper's. */
 static void lay_on_paper(const grain *g, const sample_row *at, int from, int n, int16_t field[RUN])
 {
     const paper *p = &g->pencil->grain->paper;
-    int16_t height[RUN];
-    plb_paper_row(p, &g->sheet, at->x + from * at->step, at->y, at->step, n, height);
+    int16_t height[RUN] = {0};
+    if (p->share > 0)
+        plb_paper_row(p, &g->sheet, at->x + from * at->step, at->y, at->step, n, height);
     for (int i = 0; i < n; i++)
-        field[i] = (int16_t)((field[i] * p->weight_field + height[i] * p->weight_paper + (1 << (SHARE_BITS - 1))) >> SHARE_BITS);
+        field[i] = (int16_t)((field[i] * g->weight_field + height[i] * g->weight_paper + (1 << (SHARE_BITS - 1))) >> SHARE_BITS);
 }
 
 static void write_darkness(const grain *g, int n, const int16_t level[RUN], const int16_t field[RUN], uint8_t *out)
@@ -163,8 +164,7 @@ static void shade_run(const grain *g, const sample_row *at, int from, int n, uin
     gather(g, &r, level, field);
     if (r.column[0] < g->plain_first || r.column[0] > g->plain_last || r.column[n - 1] < g->plain_first || r.column[n - 1] > g->plain_last)
         press(g, &r, level);
-    if (g->pencil->grain->paper.share > 0)
-        lay_on_paper(g, at, from, n, field);
+    lay_on_paper(g, at, from, n, field);
     write_darkness(g, n, level, field, out);
 }
 

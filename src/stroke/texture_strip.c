@@ -5,6 +5,8 @@
  */
 #include "stroke/stroke.h"
 
+#include <math.h>
+
 /* Darkness (255 - grey), 8 fractional bits, at a place in strip pixels; nothing outside. */
 static inline int read_strip(const strip *s, double x, double y)
 {
@@ -25,6 +27,21 @@ static void row(const void *texture, const sample_row *at, uint8_t *out)
         double y = at->across + i * at->across_step + (s->rows - 1) / 2.0;
         out[i] = (uint8_t)((read_strip(s, x, y) + 128) >> 8);
     }
+}
+
+/* The papers have no pressure: the powers of it are the graphite model's, for light lines and for heavy ones
+ * (texture_grain.c). */
+#define LIGHT_POWER 0.8
+#define HEAVY_POWER 0.5
+
+void plb_strip_press(strip *s, double pressure)
+{
+    double darker = pow(pressure, pressure < 1 ? LIGHT_POWER : HEAVY_POWER);
+    uint8_t grey[256];
+    for (int k = 0; k < 256; k++)
+        grey[k] = (uint8_t)(255 - fmin(255, floor((255 - k) * darker + 0.5)));
+    for (size_t i = 0; i < (size_t)s->columns * (size_t)s->rows; i++)
+        s->grey[i] = grey[s->grey[i]];
 }
 
 shading plb_strip_shading(const strip *s, double dpi)

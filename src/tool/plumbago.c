@@ -130,6 +130,11 @@ static bool set_hand(void *p, const char *v)
     int i;
     return choose(v, (const char *const[]){"right", "left", "none"}, 3, &i) ? (((settings *)p)->o.handed = (plb_handed)i, true) : false;
 }
+static bool set_pressure(void *p, const char *v)
+{
+    double *f = &((settings *)p)->o.pressure;
+    return parse_number(v, f) && *f >= 0.2 && *f <= 3;
+}
 static bool set_paper(void *p, const char *v)
 {
     int i;
@@ -207,6 +212,7 @@ static const option table[] = {
     {0, NULL, NULL, "Pencil", NULL},
     {'p', "pencil", "GRADE|FILE", "2H H F HB B 3B 6B 8B or a .pencil file [HB]", set_pencil},
     {0, "list-pencils", NULL, "show the pencils that are built in", set_list_pencils},
+    {0, "pressure", "F", "0.2 to 3 times the usual: paler and grainier, or darker [1]", set_pressure},
     {0, "paper", "smooth|medium|rough|none", "the tooth of the paper, which all strokes share [medium]", set_paper},
     {0, NULL, NULL, "Hand", NULL},
     {'s', "seed", "SEED", "a number, or 'random': another hand for the same drawing [1]", set_seed},

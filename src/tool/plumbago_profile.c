@@ -19,7 +19,7 @@ enum { FOR_CAPTURE = 1, FOR_SHOW = 2 };
 
 typedef struct {
     plb_capture_options capture;
-    const char *output, *plot;
+    const char *output, *plot, *grain;
     int used; /* FOR_… of the options given */
     bool verbose, version, help;
 } settings;
@@ -80,6 +80,13 @@ static bool set_width(void *p, const char *v)
     s->used |= FOR_CAPTURE;
     return parse_number(v, &end, &s->capture.width) && (!*end || !strcmp(end, "mm")) && s->capture.width > 0 && s->capture.width <= 2;
 }
+static bool set_grain(void *p, const char *v)
+{
+    settings *s = p;
+    s->used |= FOR_CAPTURE;
+    s->grain = v;
+    return *v != '\0';
+}
 static bool set_provenance(void *p, const char *v)
 {
     settings *s = p;
@@ -117,6 +124,7 @@ static const option table[] = {
     {0, "dpi", "DPI", "resolution of the scans [as the PNG says, else 300]", set_dpi},
     {0, "centre", "MIN-MAX", "only lines whose median grey at the centre is within [0-255]", set_centre},
     {0, "width", "MM", "stretch the line to this width at half depth [as measured]", set_width},
+    {0, "grain", "PENCIL", "borrow some grain of PENCIL, where the lines show none", set_grain},
     {0, "provenance", "TEXT|@FILE", "text to keep in the profile: scans, hand, licence", set_provenance},
     {0, NULL, NULL, "For show", NULL},
     {0, "plot", "FILE", "draw histograms, section and co-occurrence as a PNG too", set_plot},
@@ -182,9 +190,13 @@ static char *read_text(const char *file)
 static int capture_to_file(const settings *s, char **scans, int n)
 {
     plb_error e = {PLB_OK, ""};
-    plb_profile *p = plb_profile_capture((const char *const *)scans, (size_t)n, &s->capture, &e);
+    plb_capture_options how = s->capture;
+    plb_profile *grain = s->grain ? plb_profile_load(s->grain, &e) : NULL;
+    how.grain = grain;
+    plb_profile *p = s->grain && !grain ? NULL : plb_profile_capture((const char *const *)scans, (size_t)n, &how, &e);
     bool good = p && plb_profile_save(p, s->output, &e);
     plb_profile_free(p);
+    plb_profile_free(grain);
     return good ? EXIT_DONE : fail(&e);
 }
 

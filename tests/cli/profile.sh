@@ -158,6 +158,7 @@ refused 2 "--centre beyond white" '--centre' capture x.png -o y --centre 0-256
 refused 2 "--centre of words" '--centre' capture x.png -o y --centre dark-light
 refused 2 "--width 0" '--width' capture x.png -o y --width 0
 refused 2 "--width in inches" '--width' capture x.png -o y --width 1in
+refused 1 "--grain of no pencil" '9B' capture hb.png -o y --grain 9B
 refused 2 "--dpi nan" '--dpi' capture x.png -o y --dpi nan
 refused 2 "--name too long" '--name' capture x.png -o y --name 12345678901234567890123456789012
 refused 1 "a scan that is not there" 'absent.png' capture absent.png -o x.pencil

@@ -11,7 +11,7 @@
 #include "stat/pencil_for_tests.h"
 #include "stroke/pencil.h"
 
-static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT}, FORWARD = {GRAIN_START, GRAIN_LEAVE}, BACKWARD = {GRAIN_LEAVE, GRAIN_START};
+static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT, 1, 1}, FORWARD = {GRAIN_START, GRAIN_LEAVE, 1, 1}, BACKWARD = {GRAIN_LEAVE, GRAIN_START, 1, 1};
 
 #define DEPTH 90.0
 #define WIDTH 6.0
@@ -274,7 +274,7 @@ static void closed_strokes_have_no_seam(void)
 static void corners_are_filled(void)
 {
     setup s = prepare();
-    const grain_ends corners = {GRAIN_CORNER, GRAIN_CORNER};
+    const grain_ends corners = {GRAIN_CORNER, GRAIN_CORNER, 1, 1};
     double before = 0, at = 0, beyond = 0, beside = 0;
     for (uint64_t id = 1; id <= 300; id++) {
         CHECK(plb_grain_make(&s.grain, 60, corners, s.pencil, 1, id, NULL));
@@ -397,6 +397,67 @@ static void no_section_comes_again(void)
                     best = fmax(best, fabs(ab) / sqrt(aa * bb) * sqrt(WINDOW * rows));
                 }
     CHECK_RANGE(best, 2, 7); /* neighbours correlate by 0.4, which widens chance by a fifth */
+    clean(&s);
+}
+
+/* ---- pressure ---- */
+
+/* Of lines of one pressure: mean darkness on the axis, width at half depth, spread of darkness on the axis relative to its
+ * mean. */
+typedef struct {
+    double dark, width, spread;
+} pressed;
+
+static pressed lines_of_pressure(setup *s, float first, float last)
+{
+    double section[13] = {0}, squares = 0, n = 0;
+    const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, first, last};
+    for (uint64_t id = 1; id <= 60; id++) {
+        CHECK(plb_grain_make(&s->grain, 200, ends, s->pencil, 1, id, NULL));
+        for (int x = 0; x < 200; x++, n++) {
+            double axis = sample(&s->grain, x + 0.5, 0);
+            squares += axis * axis;
+            for (int u = 0; u <= 12; u++)
+                section[u] += u ? sample(&s->grain, x + 0.5, u / 2.0) : axis;
+        }
+    }
+    int u = 1;
+    while (u < 12 && section[u] > section[0] / 2)
+        u++;
+    double mean = section[0] / n;
+    return (pressed){mean, u - 1 + (section[u - 1] - section[0] / 2) / (section[u - 1] - section[u]), sqrt(squares / n - mean * mean) / mean};
+}
+
+static void pressure_darkens_broadens_and_fills(void)
+{
+    static const float pressures[] = {0.2f, 0.5f, 1, 1.5f, 2.5f};
+    setup s = prepare_on(PAPER_MEDIUM);
+    pressed last = {0, 0, 9};
+    for (size_t i = 0; i < sizeof pressures / sizeof *pressures; i++) {
+        pressed p = lines_of_pressure(&s, pressures[i], pressures[i]);
+        CHECK(p.dark > last.dark * 1.05 && p.width > last.width && p.spread < last.spread);
+        last = p;
+    }
+    pressed usual = lines_of_pressure(&s, 1, 1), silent = lines_of_pressure(&s, 0, 0);
+    CHECK(usual.dark == silent.dark && usual.width == silent.width);
+    CHECK_RANGE(lines_of_pressure(&s, 2, 2).dark / lines_of_pressure(&s, 0.5f, 0.5f).dark, 1.6, 2.6); /* measured: twice */
+    clean(&s);
+}
+
+/* Along a line whose pressure changes the darkness does. */
+static void pressure_changes_along_the_line(void)
+{
+    setup s = prepare();
+    const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, 0.6f, 1.2f};
+    double early = 0, late = 0;
+    for (uint64_t id = 1; id <= 100; id++) {
+        CHECK(plb_grain_make(&s.grain, 400, ends, s.pencil, 1, id, NULL));
+        for (int x = 50; x < 100; x++) {
+            early += sample(&s.grain, x + 0.5, 0);
+            late += sample(&s.grain, x + 250.5, 0);
+        }
+    }
+    CHECK_RANGE(late / early, 1.1, 1.4);
     clean(&s);
 }
 
@@ -534,6 +595,8 @@ int main(void)
     RUN(vectors_and_numbers_one_by_one_agree);
     RUN(rows_and_single_samples_agree);
     RUN(no_section_comes_again);
+    RUN(pressure_darkens_broadens_and_fills);
+    RUN(pressure_changes_along_the_line);
     RUN(strokes_share_the_paper);
     RUN(heights_are_as_said);
     RUN(heights_do_not_depend_on_the_page);
