@@ -3,6 +3,7 @@
  * plumbago: draws a vector drawing with a pencil. plumbago(1) is the manual.
  */
 #include "api/plumbago.h"
+#include "tool/naming.h"
 #include "tool/options.h"
 #include "tool/pages.h"
 
@@ -28,6 +29,7 @@ typedef struct {
     bool random_seed, quiet, list_pencils, version, help;
     int verbose;
     bool progress_shown;
+    int percent; /* of progress, as shown last */
     time_t started;
 } settings;
 
@@ -237,7 +239,7 @@ static const option table[] = {
 
 static void print_help(void)
 {
-    printf("usage: " PROGRAM " [options] [FILE]\n"
+    printf("usage: " PROGRAM " [options] [FILE...]\n"
            "\n"
            "Draws FILE, a vector drawing (SVG, PDF, PostScript, EPS or DXF), as a person with a pencil would.\n"
            "\n"
@@ -274,15 +276,21 @@ static void on_message(void *closure, int level, const char *text)
     print_line(level == 0 ? "warning: " : "", text);
 }
 
-/* On a terminal, from the second second on. */
+/* On a terminal, from the second second on, at most once for each percent. */
 static void on_progress(void *closure, double done)
 {
     settings *s = closure;
-    if (done >= 1 || time(NULL) - s->started < 2) {
+    double passed = difftime(time(NULL), s->started);
+    if (done >= 1 || passed < 2) {
         clear_progress(s);
         return;
     }
-    fprintf(stderr, "\r" PROGRAM ": %3.0f %%", done * 100);
+    if (s->progress_shown && (int)(done * 100) == s->percent)
+        return;
+    s->percent = (int)(done * 100);
+    fprintf(stderr, "\r" PROGRAM ": %3d %%", s->percent);
+    if (done > 0.01)
+        fprintf(stderr, ", %.0f s left\033[K", passed * (1 - done) / done);
     s->progress_shown = true;
 }
 
@@ -356,10 +364,20 @@ typedef struct {
     bool several;   /* pages may be drawn */
 } job;
 
+/* The page's number and then the drawing's name in their places: a name that looks like a place is none. */
+static char *result_name(const settings *s, const job *j, unsigned page)
+{
+    char *numbered = s->output || j->several ? pages_name(j->to, page ? page : 1) : strdup(j->to);
+    char *name = numbered && s->output ? naming_of(numbered, j->input) : numbered;
+    if (name != numbered)
+        free(numbered);
+    return name;
+}
+
 static int draw(settings *s, const job *j, unsigned page)
 {
     plb_error e = {PLB_OK, ""};
-    char *to = s->output || j->several ? pages_name(j->to, page ? page : 1) : strdup(j->to);
+    char *to = result_name(s, j, page);
     if (!to)
         return wrong("out of memory");
     if (is_same_file(to, j->input)) {
@@ -409,12 +427,9 @@ static int draw_pages(settings *s, const job *j)
 static int work(settings *s, job *j)
 {
     plb_error e = {PLB_OK, ""};
-    plb_profile *pencil = plb_profile_load(s->pencil, &e);
-    s->o.profile = pencil;
-    j->file = pencil ? plb_file_load(j->input, &e) : NULL;
+    j->file = plb_file_load(j->input, &e);
     int status = j->file ? draw_pages(s, j) : fail(s, &e);
     plb_file_free(j->file);
-    plb_profile_free(pencil);
     return status;
 }
 
@@ -428,17 +443,49 @@ static int run(settings *s, const char *input)
         free(made);
         return wrong("a picture does not belong on a terminal: name a file with -o");
     }
+    s->started = time(NULL);
+    int status = work(s, &j);
+    free(made);
+    return status;
+}
+
+/* Several drawings need names of their own. */
+static const char *refuse_names(const settings *s, char *const inputs[], int n)
+{
+    size_t first, second;
+    if (n > 1 && s->output && !naming_has_place(s->output) && !(is_text(s) && !strcmp(s->output, "-")))
+        return "more than one FILE: their pictures need a %s in the name of the output: -o 'out/%s.png'";
+    for (int i = 0; n > 1 && i < n; i++)
+        if (!strcmp(inputs[i], "-") && !s->output)
+            return "standard input among several drawings needs -o with a %s";
+    if (s->output && naming_collides(s->output, inputs, (size_t)n, &first, &second))
+        return "two of the drawings have the same name, and one would replace the other's picture";
+    return NULL;
+}
+
+/* All drawings with one pencil; one that fails does not keep the others from being drawn. */
+static int run_all(settings *s, char *const inputs[], int n)
+{
+    plb_error e = {PLB_OK, ""};
+    const char *refused = refuse_names(s, inputs, n);
+    if (refused)
+        return wrong(refused);
     if (s->random_seed) {
         s->o.seed = random_seed();
         fprintf(stderr, PROGRAM ": seed %llu\n", (unsigned long long)s->o.seed);
     }
-    s->started = time(NULL);
     s->o.message = on_message;
     s->o.progress = !s->quiet && isatty(STDERR_FILENO) ? on_progress : NULL;
     s->o.closure = s;
-    int status = work(s, &j);
-    free(made);
-    return status;
+    plb_profile *pencil = plb_profile_load(s->pencil, &e);
+    s->o.profile = pencil;
+    int worst = pencil ? EXIT_DRAWN : fail(s, &e);
+    for (int i = 0; pencil && i < n; i++) {
+        int status = run(s, inputs[i]);
+        worst = status > worst ? status : worst;
+    }
+    plb_profile_free(pencil);
+    return worst;
 }
 
 /* Standard descriptors that are closed would be given to the files we open: to be on the safe side, fill them. */
@@ -464,12 +511,10 @@ int main(int argc, char **argv)
         printf(PROGRAM " %s\n", plb_version());
     else if (s.list_pencils)
         status = list_pencils();
-    else if (operands > 1)
-        return wrong("more than one FILE");
     else if (s.o.scale > 0 && (s.o.width > 0 || s.o.height > 0))
         return wrong("--scale goes neither with --width nor with --height");
     else
-        return run(&s, operands ? argv[0] : "-");
+        return run_all(&s, operands ? argv : (char *[]){"-"}, operands ? operands : 1);
     if (fflush(stdout) != 0 || ferror(stdout)) {
         fprintf(stderr, PROGRAM ": standard output: cannot be written: %s\n", strerror(errno));
         return EXIT_NOT_DRAWN;

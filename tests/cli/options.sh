@@ -160,7 +160,6 @@ for option in -o --output -p --pencil -d --dpi --width --height --scale -s --see
     misused "$option without an argument" "${option#--}" $option
 done
 misused "--version with an argument" "version" --version=3
-misused "two files" "." a.svg two.dots.svg
 misused "an empty -o" "output|-o" -o '' a.svg
 misused "an empty --dpi" "dpi" --dpi= a.svg
 misused "--dump of another name" "dump" --dump=soup a.svg

@@ -1,0 +1,36 @@
+# SPDX-License-Identifier: MIT
+# Several drawings in one call, and what their pictures are called.
+. "$ROOT/tests/check.sh"
+example a.svg
+sed 's/M4/M5/' a.svg >b.svg
+mkdir out sub && cp b.svg sub/a.svg && cp b.svg 'x%d %s.svg'
+plumbago -q -o one.png a.svg && plumbago -q -o two.png b.svg
+
+draws "two files" a.svg b.svg
+same "two files: the first beside it" a.png one.png
+same "two files: the second beside it" b.png two.png
+draws "-o 'out/%s.png'" -o 'out/%s.png' a.svg b.svg
+same "-o 'out/%s.png': the first" out/a.png one.png
+same "-o 'out/%s.png': the second" out/b.png two.png
+draws "%s with one file" -o 'out/%s-%s.png' a.svg
+same "%s twice" out/a-a.png one.png
+draws "%s and PDF" -o 'out/%s.pdf' a.svg b.svg
+if [ -s out/a.pdf ] && [ -s out/b.pdf ]; then ok "%s and PDF: both are there"; else fail "%s and PDF: both are there" "$(ls out | tr '\n' ' ')"; fi
+draws "a name that looks like a place" -o 'out/%s.png' 'x%d %s.svg' a.svg
+same "a name that looks like a place: it is none" 'out/x%d %s.png' two.png
+misused "two files, one name" FILE -o both.png a.svg b.svg
+misused "two files of one name" "same name" -o 'out/%s.png' a.svg sub/a.svg
+misused "standard input among others" "standard input" - a.svg
+
+rm -f out/*
+echo "no drawing" >bad.svg
+plumbago -o 'out/%s.png' a.svg bad.svg b.svg
+is "one fails: exit status" $status 1
+is "one fails: one line" "$(wc -l <"$TMP/err")" 1
+if [ -s out/a.png ] && [ -s out/b.png ] && [ ! -e out/bad.png ]; then ok "one fails: the others are drawn"; else fail "one fails: the others are drawn" "$(ls out | tr '\n' ' ')"; fi
+plumbago --dump=strokes a.svg b.svg
+is "text of two drawings on standard output" "$(grep -c '^strokes' "$TMP/out")" 2
+
+PATH="$(dirname "$PLUMBAGO"):$PATH" sh "$ROOT/examples/many.sh" many a.svg b.svg >"$TMP/out" 2>&1
+same "examples/many.sh draws the first" many/a.png one.png
+same "examples/many.sh draws the second" many/b.png two.png
