@@ -106,7 +106,9 @@ typedef enum {
     PLB_ARM_OWN,    /* the model's own: hand for graphite, jerk for hla */
     PLB_ARM_HAND,   /* a free hand as measured */
     PLB_ARM_JERK,   /* minimum jerk with random deviation: Al-Meraj et al. 2008 */
-    PLB_ARM_SPRING  /* the force model of the authors' earlier manuscript */
+    PLB_ARM_SPRING, /* the force model of the authors' earlier manuscript */
+    PLB_ARM_LOGNORMAL, /* Plamondon's kinematic theory: delta-lognormal speed, arcs */
+    PLB_ARM_TORQUE  /* least change of torque of a two-link arm: Uno, Kawato, Suzuki 1989 */
 } plb_arm;
 
 typedef enum {

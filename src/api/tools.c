@@ -36,7 +36,9 @@ bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
     static const handedness handed[] = {HANDED_RIGHT, HANDED_LEFT, HANDED_NONE};
     t->stroke.handed = handed[o->handed];
     t->stroke.model = o->model == PLB_MODEL_GRAPHITE ? MODEL_GRAPHITE : MODEL_HLA;
-    t->stroke.arm = plb_api_arm(o) == PLB_ARM_SPRING ? ARM_SPRING : plb_api_arm(o) == PLB_ARM_JERK ? ARM_JERK : ARM_HAND;
+    static const arm_model arms[] = {[PLB_ARM_HAND] = ARM_HAND, [PLB_ARM_JERK] = ARM_JERK, [PLB_ARM_SPRING] = ARM_SPRING,
+                                     [PLB_ARM_LOGNORMAL] = ARM_LOGNORMAL, [PLB_ARM_TORQUE] = ARM_TORQUE};
+    t->stroke.arm = arms[plb_api_arm(o)];
     return true;
 }
 

@@ -17,7 +17,7 @@ typedef struct {
 
 static void label(labels *l, const plb_options *o, const drawing_tools *t)
 {
-    static const char *const arms[] = {"", "hand", "jerk", "spring"};
+    static const char *const arms[] = {"", "hand", "jerk", "spring", "lognormal", "torque"};
     snprintf(l->seed, sizeof l->seed, "%llu", (unsigned long long)o->seed);
     snprintf(l->software, sizeof l->software, "Plumbago %s", plb_version());
     const char *text[] = {"Software", l->software, "Plumbago-Seed", l->seed, "Plumbago-Pencil", plb_profile_name(t->profile),

@@ -64,7 +64,7 @@ size_t plb_path_control_points(const stroke_list *list, const stroke *s, const s
     base_line b = plb_base_line(list, s);
     control c[CONTROLS_MAX];
     double length = plb_base_length(&b);
-    size_t n = plb_path_spline_controls(length, s, o, c);
+    size_t n = plb_path_spline_controls(length, way_of(&b), s, o, c);
     hand h = hand_of(&b, s, length, o);
     for (size_t k = 0; k < n; k++)
         out[k] = plb_base_place(&b, c[k].along, o->arm == ARM_HAND ? plb_hand_off(&h, c[k].along) : c[k].off);

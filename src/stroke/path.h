@@ -28,7 +28,7 @@ void plb_path_measure(path_samples *out, bool closed);
 /* path_spline.c: the papers' path of a line of `length` mm. False when out of memory. */
 bool plb_path_spline(base_line *b, const stroke *s, double length, const stroke_options *o, path_samples *out);
 /* Its control points in the line's own frame; their count. */
-size_t plb_path_spline_controls(double length, const stroke *s, const stroke_options *o, control c[CONTROLS_MAX]);
+size_t plb_path_spline_controls(double length, point way, const stroke *s, const stroke_options *o, control c[CONTROLS_MAX]);
 /* path_straight.c: a free hand's path along a straight line. path_ride.c: along a curve that it knows exactly.
  * path_curve.c: along a curve that it remembers by via points; where the stroke is closed, it starts at a place of its own,
  * passes it at the end, and `out` becomes an open path. False when out of memory. */

@@ -87,19 +87,37 @@ static void deviate_on_spring(control *c, size_t n, double d, uint64_t key)
     }
 }
 
-size_t plb_path_controls(double length, uint64_t identity, const stroke_options *o, control out[CONTROLS_MAX])
+/* A bow of the whole movement: a parabola, which is an arc of a circle nearly. */
+static void add_bow(control *c, size_t n, double bow)
+{
+    for (size_t k = 1; k + 1 < n; k++) {
+        double u = c[k].along / c[n - 1].along;
+        c[k].off += bow * 4 * u * (1 - u);
+    }
+}
+
+double plb_arm_progress(uint64_t identity, const stroke_options *o, double tau)
+{
+    return o->arm == ARM_LOGNORMAL ? plb_lognormal_progress(random_key(o->seed, identity, PURPOSE_ARM), tau) : minimum_jerk(tau);
+}
+
+size_t plb_path_controls(double length, point way, uint64_t identity, const stroke_options *o, control out[CONTROLS_MAX])
 {
     double dt = time_step_of(length);
     size_t steps = (size_t)ceil(T_FINAL / dt - 1e-9), n = steps + 1;
     for (size_t k = 0; k < n; k++) {
         double t = k == steps ? T_FINAL : dt * (double)k;
-        out[k] = (control){length * minimum_jerk(t / T_FINAL), 0};
+        out[k] = (control){length * plb_arm_progress(identity, o, t / T_FINAL), 0};
     }
     uint64_t key = random_key(o->seed, identity, PURPOSE_SQUIGGLE);
-    double d = plb_path_squiggle(length, o);
+    double d = plb_path_squiggle(length, o), own = SQUIGGLE_JERK_PX * MM_PER_PAPER_PX;
     if (o->arm == ARM_SPRING)
         deviate_on_spring(out, n, d, key);
     else
         deviate_freely(out, n, d, key);
+    if (o->arm == ARM_LOGNORMAL)
+        add_bow(out, n, d * plb_lognormal_bow(random_key(o->seed, identity, PURPOSE_ARM)));
+    if (o->arm == ARM_TORQUE)
+        add_bow(out, n, (o->squiggle < 0 ? 1 : o->squiggle / own) * plb_torque_bow(way, o->handed));
     return n;
 }

@@ -49,9 +49,9 @@ static void extend(const control *c, size_t n, bool closed, control out[CONTROLS
 /* A closed line has no ends: what deviates close to its joint would be a kink there (chosen by eye). */
 #define JOINT_DEVIATION 0.25
 
-size_t plb_path_spline_controls(double length, const stroke *s, const stroke_options *o, control c[CONTROLS_MAX])
+size_t plb_path_spline_controls(double length, point way, const stroke *s, const stroke_options *o, control c[CONTROLS_MAX])
 {
-    size_t n = plb_path_controls(length, s->identity, o, c);
+    size_t n = plb_path_controls(length, way, s->identity, o, c);
     if (s->closed) {
         c[1].off *= JOINT_DEVIATION;
         c[n - 2].off *= JOINT_DEVIATION;
@@ -88,7 +88,7 @@ static bool sample_piece(base_line *b, const control c[4], double length, size_t
 bool plb_path_spline(base_line *b, const stroke *s, double length, const stroke_options *o, path_samples *out)
 {
     control c[CONTROLS_MAX], all[CONTROLS_MAX + 2];
-    size_t n = plb_path_spline_controls(length, s, o, c), wanted = count_samples(s, length);
+    size_t n = plb_path_spline_controls(length, point_sub(b->v[b->n - 1], b->v[0]), s, o, c), wanted = count_samples(s, length);
     extend(c, n, s->closed, all);
     path_sample start = {.at = b->v[0]};
     if (!array_push(out, start))

@@ -16,7 +16,7 @@ typedef enum {
     MODEL_HLA,     /* the papers' algorithm */
     MODEL_GRAPHITE /* as measured on real lines */
 } line_model;
-typedef enum { ARM_JERK, ARM_SPRING, ARM_HAND } arm_model;
+typedef enum { ARM_JERK, ARM_SPRING, ARM_HAND, ARM_LOGNORMAL, ARM_TORQUE } arm_model;
 typedef enum { HANDED_NONE, HANDED_RIGHT, HANDED_LEFT } handedness; /* NONE: no direction is drawn in another way */
 
 /* A profile made ready for drawing: tables computed once. Immutable; shared by all strokes and threads. */
@@ -48,8 +48,16 @@ typedef struct {
 } control;
 #define CONTROLS_MAX 16
 
-/* The control points of a line of `length` mm (path_controls.c; 001 section 3.1). Their count, at most CONTROLS_MAX. */
-size_t plb_path_controls(double length, uint64_t identity, const stroke_options *o, control out[CONTROLS_MAX]);
+/* The control points of a line of `length` mm, whose last point lies `way` from its first (path_controls.c; 001 section
+ * 3.1). Their count, at most CONTROLS_MAX. */
+size_t plb_path_controls(double length, point way, uint64_t identity, const stroke_options *o, control out[CONTROLS_MAX]);
+/* The share of the way that an arm has done at the share tau of the time. */
+double plb_arm_progress(uint64_t identity, const stroke_options *o, double tau);
+/* By Plamondon's delta-lognormal, and how far its arc bows out, as a share -1 to 1 (path_lognormal.c). */
+double plb_lognormal_progress(uint64_t key, double tau);
+double plb_lognormal_bow(uint64_t key);
+/* How far the movement of least change of torque bows out, mm to the left of `way` (path_torque.c). */
+double plb_torque_bow(point way, handedness handed);
 /* The largest deviation D in force for a line of `length` mm, in mm: it shrinks with short lines (plumbago(7)). */
 double plb_path_squiggle(double length, const stroke_options *o);
 

@@ -115,7 +115,7 @@ static bool set_model(void *p, const char *v)
 static bool set_arm(void *p, const char *v)
 {
     int i;
-    return choose(v, (const char *const[]){"", "hand", "jerk", "spring"}, 4, &i) && i > 0 ? (((settings *)p)->o.arm = (plb_arm)i, true) : false;
+    return choose(v, (const char *const[]){"", "hand", "jerk", "spring", "lognormal", "torque"}, 6, &i) && i > 0 ? (((settings *)p)->o.arm = (plb_arm)i, true) : false;
 }
 static bool set_fill(void *p, const char *v)
 {
@@ -220,7 +220,7 @@ static const option table[] = {
     {'s', "seed", "SEED", "a number, or 'random': another hand for the same drawing [1]", set_seed},
     {0, "squiggle", "LEN", "how far lines stray; 0: ruler-straight [5/300in: as measured]", set_squiggle},
     {0, "model", "graphite|hla", "how lines are made: as measured, or the papers' algorithm [graphite]", set_model},
-    {0, "arm", "hand|jerk|spring", "how the arm moves [hand; with --model hla: jerk]", set_arm},
+    {0, "arm", "hand|jerk|spring|lognormal|torque", "how the arm moves [hand; with --model hla: jerk]", set_arm},
     {0, NULL, NULL, "What is drawn", NULL},
     {0, "fill", "hatch|outline|none", "what becomes of filled shapes [hatch]", set_fill},
     {0, "text", "hand|outline|none", "what becomes of lettering [hand]", set_text},

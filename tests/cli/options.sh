@@ -80,6 +80,13 @@ draws "--arm spring" --arm spring -o spring.png a.svg
 differ "hand and spring differ" hand.png spring.png
 draws "--arm jerk with graphite" --arm jerk -o jerk.png a.svg
 differ "jerk and spring differ" jerk.png spring.png
+for arm in lognormal torque; do
+    draws "--arm $arm" --arm $arm -o $arm.png a.svg
+    differ "$arm and jerk differ" $arm.png jerk.png
+    draws "--arm $arm with hla" --arm $arm --model hla --squiggle 0 -o $arm-0.png a.svg
+done
+is "with --squiggle 0 the arms draw the same lines" "$(tool ink_compare lognormal-0.png torque-0.png 1 26 26 | cut -d ' ' -f 1-4)" "recall 1.0000 precision 1.0000"
+differ "lognormal and torque differ" lognormal.png torque.png
 misused "an empty --arm" arm --arm= a.svg
 draws "--squiggle 0" --squiggle 0 -o straight.png a.svg
 differ "--squiggle changes the drawing" straight.png default.png

@@ -27,8 +27,8 @@ static void control_points_per_length_class(void)
         for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
             control c[CONTROLS_MAX];
             stroke_options o = options_for(seed);
-            CHECK(plb_path_controls(expected[i].px * PX * (1 + 1e-12), seed * 77 + i, &o, c) == expected[i].n || expected[i].px == 200 || expected[i].px == 400);
-            CHECK(plb_path_controls(expected[i].px * PX * (1 - 1e-12), seed * 77 + i, &o, c) == expected[i].n);
+            CHECK(plb_path_controls(expected[i].px * PX * (1 + 1e-12), (point){1, 0}, seed * 77 + i, &o, c) == expected[i].n || expected[i].px == 200 || expected[i].px == 400);
+            CHECK(plb_path_controls(expected[i].px * PX * (1 - 1e-12), (point){1, 0}, seed * 77 + i, &o, c) == expected[i].n);
         }
 }
 
@@ -37,11 +37,11 @@ static void control_points_lie_where_equation_1_says(void)
 {
     control c[CONTROLS_MAX];
     stroke_options o = options_for(1);
-    CHECK(plb_path_controls(100 * PX, 5, &o, c) == 5);
+    CHECK(plb_path_controls(100 * PX, (point){1, 0}, 5, &o, c) == 5);
     static const double share[5] = {0, 0.103515625, 0.5, 0.896484375, 1};
     for (int k = 0; k < 5; k++)
         CHECK(fabs(c[k].along / (100 * PX) - share[k]) < 1e-12);
-    size_t n = plb_path_controls(300 * PX, 5, &o, c);
+    size_t n = plb_path_controls(300 * PX, (point){1, 0}, 5, &o, c);
     CHECK(n == 8 && fabs(c[7].along - 300 * PX) < 1e-12 && c[6].along < c[7].along);
     CHECK(c[0].off == 0 && c[7].off == 0);
 }
@@ -57,7 +57,7 @@ static void squiggle_is_uniform_in_its_range(void)
         for (uint64_t seed = 1; seed <= 12000; seed++, n++) {
             control c[CONTROLS_MAX];
             stroke_options o = options_for(seed);
-            size_t k = plb_path_controls(cases[i].px * PX, 99, &o, c);
+            size_t k = plb_path_controls(cases[i].px * PX, (point){1, 0}, 99, &o, c);
             double d = c[k / 2].off / PX;
             sum += d;
             squares += d * d;
@@ -79,7 +79,7 @@ static void squiggle_keeps_its_limits(void)
     for (uint64_t seed = 1; seed <= 4000; seed++) {
         control c[CONTROLS_MAX];
         stroke_options o = options_for(seed);
-        size_t n = plb_path_controls(1000 * PX, seed, &o, c);
+        size_t n = plb_path_controls(1000 * PX, (point){1, 0}, seed, &o, c);
         for (size_t k = 1; k + 1 < n; k++) {
             double way = fmin(c[k].along, 1000 * PX - c[k].along);
             CHECK(fabs(c[k].off) <= fmin(5 * PX, 0.2 * way) + 1e-12);
@@ -87,7 +87,7 @@ static void squiggle_keeps_its_limits(void)
         products += c[4].off * c[5].off;
         squares += c[4].off * c[4].off;
         o.arm = ARM_SPRING;
-        n = plb_path_controls(1000 * PX, seed, &o, c);
+        n = plb_path_controls(1000 * PX, (point){1, 0}, seed, &o, c);
         for (size_t k = 1; k + 1 < n; k++)
             CHECK(fabs(c[k].off) <= 3 * PX + 1e-12);
     }
