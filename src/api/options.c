@@ -45,6 +45,8 @@ bool plb_api_check(const plb_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "the limits must be 1 to 1e6 seconds and 64 to 1e6 MiB");
     if (o->model > PLB_MODEL_GRAPHITE || o->arm > PLB_ARM_TORQUE || o->background > PLB_BACKGROUND_NONE || o->handed > PLB_HAND_NONE)
         return plb_fail(err, ERROR_ARGUMENT, "there is no such model, arm, hand or background");
+    if (!(o->overshoot >= 0 && o->overshoot <= 100 && o->restate >= 0 && o->restate <= 1))
+        return plb_fail(err, ERROR_ARGUMENT, "lines run past corners by 0 to 100 mm, and a share of 0 to 1 is drawn twice");
     if (o->fill > PLB_FILL_NONE || o->text > PLB_TEXT_NONE)
         return plb_fail(err, ERROR_ARGUMENT, "there is no such way with fills or text");
     return true;
@@ -63,6 +65,9 @@ plan_options plb_api_plan_options(const plb_options *o)
     how.text = texts[o->text];
     how.fill = fills[o->fill];
     how.pencil_width = width_of(o);
+    how.overshoot = o->overshoot;
+    how.restate = o->restate;
+    how.construction = o->construction;
     how.seed = o->seed;
     how.colour = o->colour;
     return how;

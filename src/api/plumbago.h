@@ -144,6 +144,9 @@ typedef struct {
     double dpi;                 /* pixels per inch of pictures; default 300, 10 to 4800 */
     double width, height;       /* size of the page, mm; 0: the drawing's own (one given: the other follows) */
     double scale;               /* factor on the drawing's own size; default 0: 1, or what fits A3 (DXF); not with width or height */
+    double overshoot;           /* lines run past corners by up to so much, mm; default 0 */
+    double restate;             /* share of the long lines that are drawn twice, 0 to 1; default 0 */
+    bool construction;          /* faint lines beyond long lines, axes of circles; default false */
     plb_fill fill;              /* what becomes of filled shapes; default hatch */
     plb_text text;              /* what becomes of lettering; default hand */
     plb_background background;  /* default white */

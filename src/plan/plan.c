@@ -3,12 +3,13 @@
  * Plan: from what was drawn to what a hand draws. plb_plan is the table of contents:
  *
  *     each item      visible? → its marks as tracks → clip → dash → hidden → corners → strokes
- *     all strokes    drawn once → joined → smooth → in order → identities
+ *     all strokes    drawn once → joined → smooth → beside each other? → habits → in order → identities
  */
 #include "plan/plan.h"
 
 #include "plan/clip.h"
 #include "plan/dash.h"
+#include "plan/habits.h"
 #include "plan/hatch.h"
 #include "plan/hidden.h"
 #include "plan/letter.h"
@@ -212,7 +213,8 @@ plan_options plb_plan_options_default(void)
 static bool arrange(stroke_list *out, const plan_options *o, error *err)
 {
     double same = SAME_LINE_WIDTHS * o->pencil_width;
-    return plb_plan_undouble(out, same, err) && plb_plan_join(out, same, err) && plb_plan_smooth(out, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
+    return plb_plan_undouble(out, same, err) && plb_plan_join(out, same, err) && plb_plan_smooth(out, err) && plb_plan_beside(out, err) && plb_plan_habits(out, o, err) &&
+           plb_plan_order(out, err) && plb_plan_identify(out, err);
 }
 
 static void report(const planner *p, const messenger *say)

@@ -29,6 +29,9 @@ typedef struct {
     bool colour;         /* each stroke in its paint's own colour */
     double pencil_width; /* of the pencil's line at half depth, mm: what one stroke covers */
     tone_scale tone;     /* what the pencil's hatching comes to */
+    double overshoot;    /* how far lines run past corners at most, mm; 0: they meet */
+    double restate;      /* the share of long lines that are drawn twice */
+    bool construction;   /* faint lines beyond long lines, and axes of circles */
     uint64_t seed;       /* of the unevenness that a plan itself has: dashes, hatching */
 } plan_options;
 plan_options plb_plan_options_default(void);

@@ -25,10 +25,14 @@
 #define DARK_BEGIN 0.03
 #define LIGHT_END 0.07
 
-/* A hand starts at the left or the top (as the short strokes measured were taken to be drawn); a left one at the right. */
+/* Steeper lines than this, 60 degrees, are drawn downward by either hand; as in the plan's order. */
+#define STEEP 1.7320508
+
+/* A stroke runs from its first point to its last as a right hand draws it: the plan has seen to that. A left hand draws
+ * level ones from right to left. */
 bool plb_hand_backward(point way, handedness handed)
 {
-    return (handed == HANDED_LEFT ? -way.x : way.x) + way.y < 0;
+    return handed == HANDED_LEFT && way.x > 0 && way.x * STEEP > (way.y < 0 ? -way.y : way.y);
 }
 
 void plb_hand_direct(hand *h, point way, bool free_end, const stroke_options *o)

@@ -67,6 +67,18 @@ void plb_hand_reach(hand *h, double extent)
         h->amplitude[k] *= share;
 }
 
+void plb_hand_keep(hand *h, double room)
+{
+    double squares = h->lean * h->lean;
+    for (int k = 0; k < HAND_MODES; k++)
+        squares += h->amplitude[k] * h->amplitude[k];
+    double reach = 1.4 * sqrt(squares), share = reach > room ? room / reach : 1; /* 1.4: modes hardly ever peak together */
+    for (int k = 0; k < HAND_MODES; k++)
+        h->amplitude[k] *= share;
+    h->lean *= share;
+    h->drift *= share;
+}
+
 /* An open line keeps its ends: the sum of a_k sin(k x), by sin((k + 1) x) = 2 cos(x) sin(k x) - sin((k - 1) x). */
 static double open_modes(const hand *h, double x)
 {

@@ -89,6 +89,9 @@ void plb_hand_pressure(point way, double length, const stroke_options *o, float 
 /* Hooks at the ends that are free (path_ends.c). */
 void plb_hand_hooks(hand *h, bool free_first, bool free_last, uint64_t identity, const stroke_options *o);
 
+/* Keeps the deviation within about `room` mm of the line: another one runs beside it (path_hand.c). */
+void plb_hand_keep(hand *h, double room);
+
 /* A point of a drawn path. */
 typedef struct {
     point at;      /* mm on the page */

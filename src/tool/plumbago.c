@@ -142,6 +142,17 @@ static bool set_paper(void *p, const char *v)
     int i;
     return choose(v, (const char *const[]){"medium", "smooth", "rough", "none"}, 4, &i) ? (((settings *)p)->o.paper = (plb_paper)i, true) : false;
 }
+static bool set_overshoot(void *p, const char *v)
+{
+    double *mm = &((settings *)p)->o.overshoot;
+    return plb_parse_length(v, mm) && *mm >= 0 && *mm <= 100;
+}
+static bool set_restate(void *p, const char *v)
+{
+    double *share = &((settings *)p)->o.restate;
+    return parse_number(v, share) && *share >= 0 && *share <= 1;
+}
+static bool set_construction(void *p, const char *v) { return (void)v, ((settings *)p)->o.construction = true; }
 static bool set_background(void *p, const char *v)
 {
     int i;
@@ -221,11 +232,14 @@ static const option table[] = {
     {0, "squiggle", "LEN", "how far lines stray; 0: ruler-straight [5/300in: as measured]", set_squiggle},
     {0, "model", "graphite|hla", "how lines are made: as measured, or the papers' algorithm [graphite]", set_model},
     {0, "arm", "hand|jerk|spring|lognormal|torque", "how the arm moves [hand; with --model hla: jerk]", set_arm},
+    {0, "hand", "right|left|none", "which hand draws; none: all directions alike [right]", set_hand},
+    {0, "overshoot", "LEN", "lines run past corners by up to LEN [0]", set_overshoot},
+    {0, "restate", "F", "share of the long lines that are drawn twice, 0 to 1 [0]", set_restate},
+    {0, "construction", NULL, "faint construction lines beyond long lines, axes of circles", set_construction},
     {0, NULL, NULL, "What is drawn", NULL},
     {0, "fill", "hatch|outline|none", "what becomes of filled shapes [hatch]", set_fill},
     {0, "text", "hand|outline|none", "what becomes of lettering [hand]", set_text},
     {0, "colour", NULL, "each line with a pencil of its own colour [all graphite]", set_colour},
-    {0, "hand", "right|left|none", "which hand draws; none: all directions alike [right]", set_hand},
     {0, NULL, NULL, "Work", NULL},
     {0, "threads", "N", "at most N threads, 1 to 64 [as many as processors]", set_threads},
     {0, NULL, NULL, "Diagnosis", NULL},

@@ -137,6 +137,27 @@ differ "--hand none draws otherwise" any.png right.png
 draws "--hand left with hla" --hand left --model hla -o hla-left.png a.svg
 same "hla knows no hands" hla-left.png hla.png
 misused "--hand of another name" hand --hand both a.svg
+
+# ---- habits ----
+draws "--overshoot 0" --overshoot 0 -o none.png a.svg
+same "no overshoot is the default" none.png default.png
+draws "--restate 0" --restate 0 -o none.png a.svg
+same "no restating is the default" none.png default.png
+echo '<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="60mm" viewBox="0 0 90 60"><path fill="none" stroke="#000" stroke-width=".3" d="M20 15H70V45H20Z"/></svg>' >box.svg
+plumbago -q --dump=strokes -o box.txt box.svg
+for habit in "--overshoot 1mm" "--restate 1" "--construction"; do
+    # shellcheck disable=SC2086
+    plumbago -q --dump=strokes $habit -o habit.txt box.svg
+    differ "$habit changes the strokes" habit.txt box.txt
+    # shellcheck disable=SC2086
+    draws "$habit" $habit -o habit.png box.svg
+done
+is "--construction: a guide for each side" "$(grep -c guide habit.txt)" 4
+for wrong in "--overshoot -1mm" "--overshoot 2kg" "--restate 1.5" "--restate -1" "--restate some" "--construction=3"; do
+    # shellcheck disable=SC2086
+    misused "$wrong" "overshoot|restate|construction" $wrong a.svg
+done
+
 # ---- the background ----
 draws "--background white" --background white -o white.png a.svg
 same "white is the default background" white.png default.png
@@ -163,7 +184,7 @@ is "-q keeps errors: one line" "$(wc -l <"$TMP/err")" 1
 # ---- wrong command lines ----
 misused "an unknown long option" "frobnicate" --frobnicate a.svg
 misused "an unknown short option" "Z" -Z a.svg
-for option in -o --output -p --pencil -d --dpi --width --height --scale -s --seed --squiggle --model --arm --fill --text --background; do
+for option in -o --output -p --pencil -d --dpi --width --height --scale -s --seed --squiggle --model --arm --hand --overshoot --restate --fill --text --background; do
     misused "$option without an argument" "${option#--}" $option
 done
 misused "--version with an argument" "version" --version=3

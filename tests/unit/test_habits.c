@@ -1,0 +1,222 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Sketch habits and lines beside each other: what is added, what is changed, and what is left alone.
+ */
+#include "check.h"
+
+#include "base/random.h"
+#include "plan/habits.h"
+#include "plan/pass.h"
+#include "stroke/stroke.h"
+
+static stroke_list page(void)
+{
+    return (stroke_list){.width = 200, .height = 150};
+}
+
+static stroke *add(stroke_list *list, double x0, double y0, double x1, double y1, stroke_kind kind)
+{
+    point ends[2] = {{x0, y0}, {x1, y1}};
+    stroke s = {.touch = {1, 0, kind}};
+    CHECK(plb_plan_append(list, &s, ends, 2));
+    return &list->strokes.v[list->strokes.n - 1];
+}
+
+static void add_corners(stroke_list *list, stroke_kind kind)
+{
+    stroke *s = add(list, 50, 50, 100, 50, kind);
+    s->corner_first = s->corner_last = true;
+}
+
+static void add_circle(stroke_list *list, double x, double y, double r)
+{
+    point v[61];
+    for (int i = 0; i <= 60; i++)
+        v[i] = (point){x + r * cos(i % 60 * PLB_PI / 30), y + r * sin(i % 60 * PLB_PI / 30)};
+    stroke s = {.touch = TOUCH_USUAL, .closed = true};
+    CHECK(plb_plan_append(list, &s, v, 61));
+}
+
+static plan_options options(double overshoot, double restate, bool construction)
+{
+    plan_options o = plb_plan_options_default();
+    o.overshoot = overshoot;
+    o.restate = restate;
+    o.construction = construction;
+    return o;
+}
+
+static void apply(stroke_list *list, double overshoot, double restate, bool construction)
+{
+    plan_options o = options(overshoot, restate, construction);
+    CHECK(plb_plan_habits(list, &o, NULL));
+}
+
+static void all_are_off_by_default(void)
+{
+    stroke_list list = page();
+    add_corners(&list, STROKE_LINE);
+    add_circle(&list, 50, 100, 20);
+    plan_options o = plb_plan_options_default();
+    CHECK(plb_plan_habits(&list, &o, NULL));
+    CHECK(list.strokes.n == 2 && list.strokes.v[0].corner_last && list.points.v[1].x == 100);
+    plb_stroke_list_free(&list);
+}
+
+/* Outward, along the line, never by more than asked for; corners only. */
+static void lines_run_past_corners(void)
+{
+    double sum = 0, exact = 0;
+    for (int i = 0; i < 200; i++) {
+        stroke_list list = page();
+        stroke *s = add(&list, 50, 20 + i * 0.5, 100, 20 + i * 0.5, STROKE_LINE);
+        s->corner_last = true;
+        apply(&list, 2, 0, false);
+        double past = list.points.v[1].x - 100;
+        CHECK_RANGE(past, 0, 2);
+        CHECK(list.points.v[0].x == 50 && list.points.v[1].y == list.points.v[0].y);
+        CHECK(list.strokes.v[0].corner_last == (past == 0)); /* a free end is lifted */
+        exact += past == 0;
+        sum += past;
+        plb_stroke_list_free(&list);
+    }
+    CHECK_RANGE(sum / 200, 0.8, 1.6);
+    CHECK_RANGE(exact / 200, 0.1, 0.3);
+}
+
+static void small_things_are_left_alone(void)
+{
+    static const stroke_kind kinds[] = {STROKE_HATCH, STROKE_LETTER, STROKE_GUIDE};
+    for (int k = 0; k < 3; k++) {
+        stroke_list list = page();
+        add_corners(&list, kinds[k]);
+        apply(&list, 3, 1, true);
+        CHECK(list.strokes.n == 1 && list.points.v[0].x == 50 && list.points.v[1].x == 100);
+        plb_stroke_list_free(&list);
+    }
+    stroke_list list = page();
+    stroke *s = add(&list, 50, 50, 53, 50, STROKE_LINE);
+    s->corner_first = s->corner_last = true;
+    apply(&list, 3, 1, true);
+    CHECK(list.strokes.n == 1);
+    CHECK_RANGE(list.points.v[1].x, 53, 53.31);
+    plb_stroke_list_free(&list);
+}
+
+static void a_share_of_long_lines_is_drawn_twice(void)
+{
+    stroke_list list = page();
+    for (int i = 0; i < 400; i++)
+        add(&list, 10, i * 0.3, 90, i * 0.3 + 10, STROKE_LINE);
+    for (int i = 0; i < 100; i++)
+        add(&list, 100, i * 0.3, 110, i * 0.3, STROKE_LINE); /* short */
+    apply(&list, 0, 0.3, false);
+    CHECK_RANGE((double)list.strokes.n - 500, 0.23 * 400, 0.37 * 400);
+    for (size_t i = 500; i < list.strokes.n; i++) {
+        const stroke *s = &list.strokes.v[i];
+        CHECK(s->touch.pressure < 0.9f && s->touch.kind == STROKE_LINE && s->room > 0 && s->room < 1);
+        CHECK_RANGE(plb_point_distance(list.points.v[s->first], list.points.v[s->first + 1]), 75, 84);
+    }
+    CHECK(plb_plan_identify(&list, NULL));
+    for (size_t i = 0; i < list.strokes.n; i++)
+        for (size_t k = 0; k < i; k++)
+            CHECK(list.strokes.v[i].identity != list.strokes.v[k].identity);
+    plb_stroke_list_free(&list);
+}
+
+static size_t count_guides(const stroke_list *list)
+{
+    size_t n = 0;
+    for (size_t i = 0; i < list->strokes.n; i++)
+        n += list->strokes.v[i].touch.kind == STROKE_GUIDE;
+    return n;
+}
+
+static void guides_carry_long_lines_on(void)
+{
+    stroke_list list = page();
+    add(&list, 50, 40, 90, 40, STROKE_LINE);
+    add(&list, 95, 40, 140, 40, STROKE_LINE); /* on the same line: one guide */
+    add(&list, 50, 40, 50, 100, STROKE_LINE);
+    add(&list, 60, 60, 65, 60, STROKE_LINE); /* short: none */
+    apply(&list, 0, 0, true);
+    CHECK(list.strokes.n == 6 && count_guides(&list) == 2);
+    const point *v = list.points.v + list.strokes.v[4].first;
+    CHECK(list.strokes.v[4].touch.pressure < 0.5f);
+    CHECK_RANGE(v[0].x, 50 - 18 * 1.4, 50 - 4 * 0.6);
+    CHECK_RANGE(v[1].x, 140 + 4 * 0.6, 140 + 18 * 1.4);
+    CHECK(fabs(v[0].y - 40) < 1e-9 && fabs(v[1].y - 40) < 1e-9);
+    plb_stroke_list_free(&list);
+}
+
+static void guides_stay_on_the_page_and_cross_circles(void)
+{
+    stroke_list list = page();
+    add(&list, 1, 1, 199, 149, STROKE_LINE);
+    add_circle(&list, 60, 60, 25);
+    add_circle(&list, 150, 30, 2); /* small: none */
+    apply(&list, 0, 0, true);
+    CHECK(count_guides(&list) == 3);
+    for (size_t i = 0; i < list.strokes.n; i++) {
+        const stroke *s = &list.strokes.v[i];
+        for (size_t k = s->first; k < s->first + s->n; k++)
+            CHECK(list.points.v[k].x >= -1e-9 && list.points.v[k].x <= 200 + 1e-9 && list.points.v[k].y >= -1e-9 && list.points.v[k].y <= 150 + 1e-9);
+    }
+    plb_stroke_list_free(&list);
+}
+
+/* ---- lines beside each other ---- */
+
+static void neighbours_get_room(void)
+{
+    stroke_list list = page();
+    add(&list, 20, 50, 180, 50, STROKE_LINE);
+    add(&list, 180, 51, 30, 51, STROKE_LINE);   /* a millimetre beside it */
+    add(&list, 20, 90, 180, 90, STROKE_LINE);   /* alone */
+    add(&list, 100, 20, 100, 120, STROKE_LINE); /* crosses all */
+    add(&list, 20, 90, 180, 93, STROKE_LINE);   /* meets an end */
+    CHECK(plb_plan_beside(&list, NULL));
+    CHECK_RANGE(list.strokes.v[0].room, 0.3, 0.4);
+    CHECK_RANGE(list.strokes.v[1].room, 0.3, 0.4);
+    CHECK(list.strokes.v[2].room == 0 && list.strokes.v[3].room == 0 && list.strokes.v[4].room == 0);
+    plb_stroke_list_free(&list);
+}
+
+/* Two lines of a wall, drawn by the hand with many seeds: they hardly ever touch. */
+static void the_lines_of_a_wall_stay_apart(void)
+{
+    stroke_list list = page();
+    add(&list, 10, 50, 190, 50, STROKE_LINE);
+    add(&list, 10, 51.2, 190, 51.2, STROKE_LINE);
+    for (int i = 0; i < 2; i++)
+        list.strokes.v[i].corner_first = list.strokes.v[i].corner_last = true;
+    CHECK(plb_plan_beside(&list, NULL) && plb_plan_identify(&list, NULL));
+    double touching = 0;
+    path_samples drawn[2] = {{0}, {0}};
+    for (uint64_t seed = 1; seed <= 300; seed++) {
+        stroke_options o = {.seed = seed, .squiggle = -1, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .handed = HANDED_RIGHT, .dpi = 300};
+        double gap = 1e9;
+        for (int i = 0; i < 2; i++)
+            CHECK(plb_path_sample(&list, &list.strokes.v[i], &o, &drawn[i], NULL));
+        for (size_t k = 0; k < drawn[0].n && k < drawn[1].n; k++) /* sampled at the same places */
+            gap = fmin(gap, drawn[1].v[k].at.y - drawn[0].v[k].at.y);
+        touching += gap < 0.2;
+    }
+    CHECK_RANGE(touching / 300, 0, 0.03);
+    array_free(&drawn[0]);
+    array_free(&drawn[1]);
+    plb_stroke_list_free(&list);
+}
+
+int main(void)
+{
+    RUN(all_are_off_by_default);
+    RUN(lines_run_past_corners);
+    RUN(small_things_are_left_alone);
+    RUN(a_share_of_long_lines_is_drawn_twice);
+    RUN(guides_carry_long_lines_on);
+    RUN(guides_stay_on_the_page_and_cross_circles);
+    RUN(neighbours_get_room);
+    RUN(the_lines_of_a_wall_stay_apart);
+    CHECK_EXIT;
+}
