@@ -20,7 +20,7 @@
 #define FARTHEST 0.045
 #define FARTHEST_MM 5.0
 /* Strokes shorter than this hardly stray. */
-#define SHORTEST_MM 4.0
+#define SHORTEST_MM 12.0
 #define CELL_MM 6.0
 /* Directions are kept apart on the grid, in so many parts of half a turn. */
 #define PARTS 16
