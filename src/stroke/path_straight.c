@@ -12,14 +12,20 @@
 #define STEP_OF_ROOT 0.22
 #define LONGEST_STEP_MM 3.0
 #define FEWEST_STEPS 4
-/* A hook has samples of its own. */
+/* A hook has samples of its own, fewer when it hardly shows. */
 #define HOOK_STEPS 4
+#define HOOK_SHOWS_MM 0.05
 
 typedef struct {
     point from, along, left;
     const hand *h;
     path_samples *out;
 } line;
+
+static int steps_of(double hook)
+{
+    return fabs(hook) > HOOK_SHOWS_MM ? HOOK_STEPS : HOOK_STEPS / 2;
+}
 
 static void add(const line *l, double along)
 {
@@ -37,12 +43,13 @@ bool plb_trace_line(const base_line *b, double length, const hand *h, path_sampl
     double inner = length - 2 * h->hook_reach;
     if (!array_reserve(out, steps + 2 * HOOK_STEPS + 1))
         return false;
-    for (int i = 0; h->hook_reach > 0 && i < HOOK_STEPS; i++)
-        add(&l, h->hook_reach * i / HOOK_STEPS);
+    int first = h->hook_reach > 0 ? steps_of(h->hook_first) : 0, last = h->hook_reach > 0 ? steps_of(h->hook_last) : 0;
+    for (int i = 0; i < first; i++)
+        add(&l, h->hook_reach * i / first);
     for (size_t i = 0; i <= steps; i++)
         add(&l, h->hook_reach + inner * (double)i / (double)steps);
-    for (int i = 1; h->hook_reach > 0 && i <= HOOK_STEPS; i++)
-        add(&l, length - h->hook_reach * (HOOK_STEPS - i) / HOOK_STEPS);
+    for (int i = 1; i <= last; i++)
+        add(&l, length - h->hook_reach * (last - i) / last);
     plb_path_measure(out, false);
     return true;
 }
