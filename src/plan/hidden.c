@@ -48,6 +48,7 @@ struct cover {
     size_t level[12], levels; /* where each level starts; FAN to the power of 12 is beyond LIST_MAX_ITEMS */
     double work;
     size_t asks; /* the item that asks */
+    bool later;  /* what comes after it counts; else what came before: set by each question, as the sinks ask others */
     error *err;
 };
 
@@ -149,7 +150,7 @@ cover *plb_cover_new(const display_list *list, const plan_options *o, clipper *c
         c->clips = clips;
         c->err = err;
     }
-    for (size_t i = 1; ok && i < list->items.n; i++) /* the first hides nothing */
+    for (size_t i = 0; ok && i < list->items.n; i++)
         ok = !hides(&list->items.v[i], o) || add_area(c, i);
     if (ok && build(c))
         return c;
@@ -198,11 +199,11 @@ static const region *region_of(cover *c, area *a)
 /* Does something: true goes on to the next area. */
 typedef bool (*area_visit)(cover *c, area *a, void *closure);
 
-/* Every area later than the one that asks whose box meets `b`; false when a visit said so. */
+/* Every area whose box meets `b`, later than the one that asks, or any; false when a visit said so. */
 static bool visit(cover *c, size_t level, size_t k, box b, area_visit see, void *closure)
 {
     const node *at = &c->nodes.v[c->level[level] + k];
-    if (at->latest <= c->asks || at->bounds.x0 > b.x1 || at->bounds.x1 < b.x0 || at->bounds.y0 > b.y1 || at->bounds.y1 < b.y0)
+    if ((c->later && at->latest <= c->asks) || at->bounds.x0 > b.x1 || at->bounds.x1 < b.x0 || at->bounds.y0 > b.y1 || at->bounds.y1 < b.y0)
         return true;
     if (level == 0)
         return see(c, &c->areas.v[k], closure);
@@ -226,6 +227,8 @@ typedef struct {
 static bool cross_area(cover *c, area *a, void *closure)
 {
     cross_question *q = closure;
+    if ((a->order > c->asks) != c->later)
+        return true;
     const region *r = region_of(c, a);
     if (!r || !plb_region_cross(r, q->from, q->to, q->at))
         return false;
@@ -239,9 +242,9 @@ static bool cross_area(cover *c, area *a, void *closure)
     return true;
 }
 
-static bool cross(const void *of, point from, point to, crossings *at)
+static bool cross(cover *c, bool later, point from, point to, crossings *at)
 {
-    cover *c = (cover *)of;
+    c->later = later;
     if (plb_cover_is_exhausted(c))
         return true;
     box b = BOX_EMPTY;
@@ -250,28 +253,71 @@ static bool cross(const void *of, point from, point to, crossings *at)
     return visit_all(c, b, cross_area, &(cross_question){from, to, at});
 }
 
-/* Asks on while the point is not covered. */
-static bool leaves_open(cover *c, area *a, void *closure)
+static bool covers(cover *c, area *a, point p)
 {
-    point p = *(const point *)closure;
     const region *r = region_of(c, a);
     if (!r)
-        return true;
+        return false;
     c->work += plb_region_work(r, p, p);
     if (!plb_region_covers(r, p, EDGE_MARGIN_MM))
-        return true;
+        return false;
     for (int k = c->list->items.v[a->order].clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {
         const region *within = plb_clipper_region(c->clips, k, c->err);
         if (!within || !plb_region_covers(within, p, EDGE_MARGIN_MM))
-            return true;
+            return false;
     }
-    return false;
+    return true;
+}
+
+/* Asks on while the point is not covered. */
+static bool leaves_open(cover *c, area *a, void *closure)
+{
+    return !covers(c, a, *(const point *)closure);
 }
 
 static bool sees(const void *of, point p)
 {
     cover *c = (cover *)of;
+    c->later = true;
     return plb_cover_is_exhausted(c) || visit_all(c, (box){p.x, p.y, p.x, p.y}, leaves_open, &p);
+}
+
+static bool cross_above(const void *of, point from, point to, crossings *at)
+{
+    return cross((cover *)of, true, from, to, at);
+}
+
+static bool cross_below(const void *of, point from, point to, crossings *at)
+{
+    return cross((cover *)of, false, from, to, at);
+}
+
+/* What lies on top below the item that asks. */
+typedef struct {
+    point at;
+    size_t next; /* one more than the order of the latest area found; 0: none */
+} ground_question;
+
+static bool find_ground(cover *c, area *a, void *closure)
+{
+    ground_question *q = closure;
+    if (a->order < c->asks && a->order >= q->next && covers(c, a, q->at))
+        q->next = a->order + 1;
+    return true;
+}
+
+static bool is_same_paint(const paint *a, const paint *b)
+{
+    return a->kind == PAINT_SOLID && b->kind == PAINT_SOLID && a->red == b->red && a->green == b->green && a->blue == b->blue;
+}
+
+static bool stands_out(const void *of, point p)
+{
+    cover *c = (cover *)of;
+    ground_question q = {p, 0};
+    c->later = false;
+    visit_all(c, (box){p.x, p.y, p.x, p.y}, find_ground, &q);
+    return plb_cover_is_exhausted(c) || q.next == 0 || !is_same_paint(&c->list->items.v[q.next - 1].paint, &c->list->items.v[c->asks].paint);
 }
 
 static bool stop(cover *c, area *a, void *closure)
@@ -283,9 +329,20 @@ static bool stop(cover *c, area *a, void *closure)
 bool plb_plan_hide(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err)
 {
     c->asks = i;
+    c->later = true;
     c->err = err;
     if (visit_all(c, plb_track_bounds(t), stop, NULL)) /* nothing near */
         return sink(closure, t);
-    cut_rule rule = {cross, sees, c};
+    cut_rule rule = {cross_above, sees, c};
+    return plb_plan_cut(&rule, t, sink, closure, err);
+}
+
+bool plb_plan_fuse(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err)
+{
+    if (!is_opaque(&c->list->items.v[i]))
+        return sink(closure, t);
+    c->asks = i;
+    c->err = err;
+    cut_rule rule = {cross_below, stands_out, c};
     return plb_plan_cut(&rule, t, sink, closure, err);
 }

@@ -37,6 +37,7 @@ typedef struct {
     error *err;
     const item *it; /* the one at work */
     size_t index;   /* its number */
+    const track *whole; /* what comes back as it was when nothing hides it; borrowed */
     bool outlined;  /* a stroke follows its outline */
     bool is_drawn;  /* the next one, too, by the one at work */
     hatcher hatcher;
@@ -66,10 +67,19 @@ static bool cut_at_corners(void *closure, const track *t)
     return plb_plan_corners(t, add_stroke, p, p->err);
 }
 
+/* Of hatching and of passes no scraps are left where something hides the rest. */
+static bool leave_out_scraps(void *closure, const track *t)
+{
+    planner *p = closure;
+    bool is_scrap = t != p->whole && t->touch.kind == STROKE_HATCH && plb_track_length(t) < p->how->pencil_width;
+    return is_scrap || cut_at_corners(p, t);
+}
+
 static bool leave_out_hidden(void *closure, const track *t)
 {
     planner *p = closure;
-    return plb_plan_hide(p->cover, p->index, t, cut_at_corners, p, p->err);
+    p->whole = t;
+    return plb_plan_hide(p->cover, p->index, t, leave_out_scraps, p, p->err);
 }
 
 static touch touch_of(const planner *p)
@@ -129,9 +139,16 @@ static bool draw_line(planner *p)
     return plb_plan_flatten(&p->it->path, false, plb_is_wide(p->it, p->how) ? add_wide_line : add_line, p, p->err);
 }
 
+/* Where shapes of one paint lie upon each other their outlines would show what is not to be seen. */
+static bool add_outline(void *closure, const track *t)
+{
+    planner *p = closure;
+    return plb_plan_fuse(p->cover, p->index, t, add_line, p, p->err);
+}
+
 static bool draw_outline(planner *p)
 {
-    return plb_plan_flatten(&p->it->path, true, add_line, p, p->err);
+    return plb_plan_flatten(&p->it->path, true, add_outline, p, p->err);
 }
 
 /* A shape that is filled and stroked is outlined once, by its stroke. */
@@ -167,8 +184,10 @@ static bool draw_fill(planner *p)
     bool is_letter = false, is_blot = false;
     if (p->how->fill == FILL_HATCH && !plb_is_blot(p->it, p->how, &is_blot, p->err))
         return false;
-    if ((!is_blot && !draw_letters(p, &is_letter)) || is_letter)
-        return is_letter;
+    if (!is_blot && !draw_letters(p, &is_letter))
+        return false;
+    if (is_letter)
+        return true;
     bool outline = p->how->fill == FILL_OUTLINE;
     if (p->how->fill == FILL_HATCH && !plb_plan_hatch(&p->hatcher, p->it, touch_of(p).colour, &outline, add_mark, p, p->err))
         return false;

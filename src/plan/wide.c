@@ -9,8 +9,8 @@
 
 /* Joints that turn less than this are mitred. */
 #define MITRE_DEGREES 40.0
-/* Corners of a joint's disc. */
-#define DISC_CORNERS 12
+/* Corners of the disc of a joint or a round cap: its area is within 2 % of the circle's. */
+#define DISC_CORNERS 24
 
 typedef struct {
     const item *it;
@@ -63,7 +63,7 @@ static point at(const track *t, long k)
     return t->points.v[(k + n) % n].at;
 }
 
-/* The quadrilateral of the segment from point k, and the disc that it needs at its start. */
+/* The quadrilateral of the segment from point k, and the discs that it needs at its ends. */
 static bool add_segment(widener *w, const track *t, long k)
 {
     long last = (long)t->points.n - 2;
@@ -71,13 +71,15 @@ static bool add_segment(widener *w, const track *t, long k)
     bool is_first = k == 0 && !t->closed, is_last = k == last && !t->closed;
     point in = is_first ? d : unit(at(t, k - 1), a), out = is_last ? d : unit(b, at(t, k + 2));
     point left_a = side(w, is_mitred(in, d) ? in : d, d), left_b = side(w, d, is_mitred(d, out) ? out : d);
-    double cap = w->it->cap == LINE_CAP_BUTT ? 0 : w->it->width / 2;
+    double cap = w->it->cap == LINE_CAP_SQUARE ? w->it->width / 2 : 0;
+    bool is_round = w->it->cap == LINE_CAP_ROUND;
     if (is_first)
         a = point_sub(a, point_scale(d, cap));
     if (is_last)
         b = point_add(b, point_scale(d, cap));
     point quad[4] = {point_sub(a, left_a), point_sub(b, left_b), point_add(b, left_b), point_add(a, left_a)};
-    return add_polygon(w, quad, 4) && (is_mitred(in, d) || add_disc(w, a));
+    bool disc_a = is_first ? is_round : !is_mitred(in, d);
+    return add_polygon(w, quad, 4) && (!disc_a || add_disc(w, a)) && (!is_last || !is_round || add_disc(w, b));
 }
 
 static bool add_track(void *closure, const track *t)

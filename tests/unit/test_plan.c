@@ -334,6 +334,57 @@ static void neighbours_keep_their_outlines(void)
     clean(&s);
 }
 
+/* Two overlapping squares of one paint: the outline of both together, two sides of each cut short. */
+static void shapes_of_one_paint_are_one(void)
+{
+    setup s = page(100, 100);
+    const double other[] = {50, 50, 70, 50, 70, 70, 50, 70};
+    add(&s, ITEM_FILL, square, 4)->paint = grey;
+    add(&s, ITEM_FILL, other, 4)->paint = grey;
+    size_t n = plan(&s);
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += length_of(&s, i);
+    CHECK(n == 8);
+    CHECK_RANGE(sum, 120 - 1e-6, 120 + 1e-6);
+    clean(&s);
+}
+
+/* Three circles in a row, the outline of all: as long as it should be. */
+static void circles_of_one_paint_are_one(void)
+{
+    setup s = page(120, 60);
+    for (int i = 0; i < 3; i++) {
+        item it = {.kind = ITEM_FILL, .paint = grey, .clip = NO_CLIP};
+        CHECK(plb_path_arc(&it.path, (point){35 + 25 * i, 30}, 22, 0, 2 * PLB_PI, false, MATRIX_IDENTITY) && plb_path_close(&it.path));
+        CHECK(plb_list_add(&s.list, &it, NULL));
+    }
+    size_t n = plan(&s);
+    double sum = 0, seen = 2 * PLB_PI * 22 * 3 - 4 * 2 * 22 * acos(12.5 / 22);
+    for (size_t i = 0; i < n; i++)
+        sum += length_of(&s, i);
+    CHECK_RANGE(sum, seen - 1, seen + 1);
+    clean(&s);
+}
+
+/* The cap of a wide line hides a half disc, not a half square. */
+static void round_caps_hide_round(void)
+{
+    setup s = page(100, 100);
+    add(&s, ITEM_STROKE, (const double[]){50, 16, 90, 16}, 2); /* beside the disc, within the square */
+    add(&s, ITEM_STROKE, (const double[]){10, 18, 90, 18}, 2);
+    item *it = add(&s, ITEM_STROKE, (const double[]){50, 20, 50, 80}, 2);
+    it->paint = white;
+    it->width = 10;
+    it->cap = LINE_CAP_ROUND;
+    size_t n = plan(&s);
+    double sum = 0;
+    for (size_t i = 0; i < n; i++)
+        sum += length_of(&s, i);
+    CHECK_RANGE(sum, 40 - 3 + 80 - 2 * sqrt(25 - 4) - .2, 40 - 3 + 80 - 2 * sqrt(25 - 4) + .2);
+    clean(&s);
+}
+
 static void holes_hide_nothing(void)
 {
     setup s = page(100, 100);
@@ -595,6 +646,9 @@ int main(void)
     RUN(clipped_areas_hide_within_their_clip);
     RUN(neighbours_keep_their_outlines);
     RUN(holes_hide_nothing);
+    RUN(shapes_of_one_paint_are_one);
+    RUN(circles_of_one_paint_are_one);
+    RUN(round_caps_hide_round);
     RUN(wide_white_lines_hide);
     RUN(hiding_is_the_same_as_a_plain_search);
     RUN(weight_and_tone_are_pressure);
