@@ -10,6 +10,8 @@
 
 #define TURN_DEGREES 50.0
 #define THICKER 1.22 /* chosen by eye; 1.15 at a turn of 60 degrees, and a pixel in eight is noise */
+#define SHARP_DEGREES 120.0
+#define THICKER_SHARP 1.1 /* the flat top of an A leaves no more */
 /* The directions before and after are taken between these distances, in radii. */
 #define NEAR 1.2
 #define FAR 3.5
@@ -91,11 +93,13 @@ static size_t find_corner(const medial *m, const medial_branch *b, const raster 
         medial_point p = m->points.v[b->first + i];
         side before = look(m, b, i, -1), after = look(m, b, i, 1);
         point out = {0, 0};
-        if (turn_at(m, b, p.radius, &before, &after, &out) < TURN_DEGREES * PLB_PI / 180)
+        double turn = turn_at(m, b, p.radius, &before, &after, &out) * 180 / PLB_PI;
+        if (turn < TURN_DEGREES)
             continue;
         double usual = 2 * fmax(before.thickest, after.thickest) + 0.5; /* an axis between two pixels is off by half of one */
-        if (thickness(r, p.at, out) > most * usual) {
-            most = thickness(r, p.at, out) / usual;
+        double thicker = thickness(r, p.at, out) / usual + (THICKER - THICKER_SHARP) * fmin(1, (turn - TURN_DEGREES) / (SHARP_DEGREES - TURN_DEGREES));
+        if (thicker > most) {
+            most = thicker;
             found = i;
         }
     }
