@@ -17,7 +17,7 @@ static const double pressure_at[3] = {.55, .85, 1.25};
 #define CROSS_WIDEST 2.6
 #define CROSS_CLOSEST 0.8
 /* Darker than this part of what the pencil can do, tones are drawn together so that black is its darkest. */
-#define KNEE 0.9
+#define KNEE 0.84
 
 static double between(const double at[3], double t)
 {
