@@ -125,8 +125,8 @@ demo-pictures: all
 	@echo "$(demo_drawing), drawn with eight pencils, lies in build/demo."
 
 # ---- packages (Debian) ------------------------------------------------------------------------------------
-packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libxml2-dev fonts-dejavu-core poppler-utils python3-ezdxf
-packages_tests = librsvg2-bin ghostscript clang g++ mandoc strace locales unzip
+packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libxml2-dev fonts-dejavu-core poppler-utils ghostscript python3-ezdxf
+packages_tests = librsvg2-bin clang g++ mandoc strace locales unzip
 
 .PHONY: packages packages-check
 packages:

@@ -51,7 +51,7 @@ static void pass_on(const input_source *in, char *text)
 static bool run_tap(const input_source *in, reader_bytes *svg, error *err)
 {
     char program[PROCESS_PATH_MAX], name[] = "tap-dxf";
-    char *argv[] = {name, NULL};
+    const char *argv[] = {name, NULL};
     process p;
     error late = {ERROR_NONE, ""};
     if (!plb_process_find(in->helper_dir, name, program, &late))

@@ -24,8 +24,7 @@ static bool find_program(const input_source *in, char program[PROCESS_PATH_MAX],
 static bool run(const input_source *in, unsigned page, process *p, reader_bytes *svg, error *err)
 {
     char program[PROCESS_PATH_MAX], number[16];
-    char name[] = PROGRAM, form[] = "-svg", first[] = "-f", last[] = "-l", dash[] = "-", to[] = "-";
-    char *argv[] = {name, form, first, number, last, number, dash, to, NULL};
+    const char *argv[] = {PROGRAM, "-svg", "-f", number, "-l", number, "-", "-", NULL};
     snprintf(number, sizeof number, "%u", page);
     return find_program(in, program, err) && plb_reader_run(in, PROGRAM, program, argv, p, svg, err);
 }

@@ -3,6 +3,7 @@
  * The PostScript reader: a file's comments say what its page is, its program draws the display list, which is then
  * turned from device space (up, 7200 dpi, the origin where the program has it) to millimetres on the page.
  */
+#include "input/ghostscript.h"
 #include "input/ps.h"
 #include "input/ps_dsc.h"
 
@@ -102,31 +103,129 @@ static box choose_page(ps *p, const ps_dsc *dsc)
     return page;
 }
 
-static void place_on_page(ps *p, const ps_dsc *dsc)
+static void place_on_page(ps *p, box page)
 {
     const double mm = MM_PER_POINT / PS_UNITS_PER_POINT;
-    box page = choose_page(p, dsc);
     plb_list_transform(p->list, (matrix){mm, 0, 0, -mm, -page.x0 * MM_PER_POINT, page.y1 * MM_PER_POINT});
     p->list->width = (page.x1 - page.x0) * MM_PER_POINT;
     p->list->height = (page.y1 - page.y0) * MM_PER_POINT;
 }
 
+/* What holds whoever draws the page. */
 static void remark(ps *p, const ps_dsc *dsc)
 {
     const messenger *say = &p->in->say;
     const ps_file *f = p->main_file;
     if (!p->page_shown && !p->finished && (p->state_count > 1 || p->dict_count > 3))
         plb_say(say, MESSAGE_WARNING, "%s: the program ends in the middle of its page; drawn is what it holds", p->in->name);
-    if (p->strings_left_out)
-        plb_say(say, MESSAGE_WARNING, "%s: %lu text strings left out: PostScript fonts are not drawn yet", p->in->name, p->strings_left_out);
+    if (p->bitmap_strings)
+        plb_say(say, MESSAGE_WARNING, "%s: %lu text string%s left out: the font is made of pixels", p->in->name, p->bitmap_strings, p->bitmap_strings == 1 ? "" : "s");
     if (p->page_shown && !p->in->page && (dsc->pages > 1 || plb_dsc_has_page(f->at, (size_t)(f->end - f->at))))
         plb_say(say, MESSAGE_WARNING, "%s: only the first page is drawn (--page)", p->in->name);
 }
+
+/* ---- the other way ---------------------------------------------------------------------------------------- */
+
+/* Errors that another interpreter may not meet; limits, and what was refused on purpose, are final. */
+static bool may_be_our_fault(const ps *p)
+{
+    return (p->err.kind == ERROR_UNSUPPORTED || p->err.kind == ERROR_SYNTAX) && p->last_fault != PS_INVALIDFILEACCESS && !p->refused;
+}
+
+static bool has_word(const char *text, const char *end, const char *word)
+{
+    size_t n = strlen(word);
+    for (; (size_t)(end - text) >= n; text++)
+        if (!memcmp(text, word, n))
+            return true;
+    return false;
+}
+
+/* The page for Ghostscript: as far as our reader came, it knows. */
+static gs_page page_of(ps *p, const ps_dsc *dsc, bool good)
+{
+    const ps_file *f = p->main_file;
+    const char *program = p->program;
+    gs_page page = {.area = choose_page(p, dsc)};
+    page.sheet = p->page_shown ? p->sheets : good ? p->sheets + 1 : p->page_wanted;
+    page.lacks_showpage = good ? !p->page_shown : !has_word(program, f->end, "showpage");
+    return page;
+}
+
+static input_source program_of(const ps *p)
+{
+    input_source in = *p->in;
+    in.data = p->program;
+    in.size = (size_t)(p->main_file->end - p->program);
+    return in;
+}
+
+/* Draws the page anew by Ghostscript; false, with the reason, when that fails: then the list is as it was. */
+static bool draw_by_ghostscript(ps *p, const gs_page *page, error *err)
+{
+    display_list other;
+    plb_list_init(&other);
+    input_source in = program_of(p);
+    if (!plb_read_by_ghostscript(&in, page, &other, err)) {
+        plb_list_free(&other);
+        return false;
+    }
+    display_list ours = *p->list;
+    *p->list = other;
+    plb_list_free(&ours);
+    return true;
+}
+
+/* Our reader drew the page but for its text or shades: Ghostscript knows fonts. */
+static void improve(ps *p, const gs_page *page)
+{
+    error why = {0};
+    unsigned long images = p->list->images;
+    unsigned long lost = p->strings_left_out;
+    const messenger *say = &p->in->say;
+    if (!lost && !p->shadings)
+        return;
+    if (plb_ghostscript_is_there() && draw_by_ghostscript(p, page, &why)) {
+        p->list->images = images; /* the other way also counts letters made of pixels */
+        p->list->masks = 0;
+        plb_say(say, MESSAGE_DETAIL, "%s: read by Ghostscript, for its text or shades", p->in->name);
+        return;
+    }
+    if (why.kind)
+        plb_say(say, MESSAGE_DETAIL, "%s", why.text);
+    if (lost)
+        plb_say(say, MESSAGE_WARNING, "%s: %lu text string%s left out: fonts need Ghostscript%s", p->in->name, lost, lost == 1 ? "" : "s",
+                plb_ghostscript_is_there() ? ", which fails on this file" : " (Debian: ghostscript), which is not installed");
+}
+
+/* Our reader failed. True: Ghostscript did not. */
+static bool rescue(ps *p, const ps_dsc *dsc)
+{
+    error why = {0};
+    if (!may_be_our_fault(p) || !p->main_file)
+        return false;
+    if (!plb_ghostscript_is_there()) {
+        if (p->err.kind == ERROR_UNSUPPORTED)
+            strncat(p->err.text, "; Ghostscript would help (Debian: ghostscript)", sizeof p->err.text - strlen(p->err.text) - 1);
+        return false;
+    }
+    gs_page page = page_of(p, dsc, false);
+    if (!draw_by_ghostscript(p, &page, &why)) {
+        plb_say(&p->in->say, MESSAGE_DETAIL, "%s", why.text);
+        return false;
+    }
+    plb_say(&p->in->say, MESSAGE_DETAIL, "%s; read by Ghostscript", p->err.text);
+    plb_error_clear(&p->err);
+    return true;
+}
+
+/* ---- reading ---------------------------------------------------------------------------------------------- */
 
 /* Runs the program up to the page that is wanted. */
 static bool run(ps *p, const ps_dsc *dsc, const char *program, size_t length)
 {
     expect_page(p, dsc);
+    p->program = program;
     if (!start(p, program, length) || !plb_ps_run(p))
         return false;
     if (!p->page_shown && plb_ps_page_has_something(p)) /* a last page that is not shown counts as well */
@@ -140,10 +239,12 @@ static bool read_program(ps *p, const char *program, size_t length)
     plb_dsc_read(program, length, PS_MAX_PAGE_POINTS, &dsc);
     p->page_wanted = p->in->page ? p->in->page : 1;
     if (!run(p, &dsc, program, length))
-        return false;
+        return rescue(p, &dsc);
     if (p->page < p->page_wanted && p->page_wanted > 1)
         return plb_fail(&p->err, ERROR_ARGUMENT, "%s: it has no page %u, only %u", p->in->name, p->page_wanted, p->page ? p->page : 1);
-    place_on_page(p, &dsc);
+    gs_page page = page_of(p, &dsc, true);
+    place_on_page(p, page.area);
+    improve(p, &page);
     remark(p, &dsc);
     return true;
 }
@@ -153,7 +254,18 @@ static bool count_pages(ps *p, const char *program, size_t length)
     ps_dsc dsc;
     plb_dsc_read(program, length, PS_MAX_PAGE_POINTS, &dsc);
     p->page_wanted = UINT_MAX;
-    return run(p, &dsc, program, length);
+    if (run(p, &dsc, program, length))
+        return true;
+    if (!may_be_our_fault(p) || !p->main_file || !plb_ghostscript_is_there())
+        return false;
+    error why = {0};
+    gs_page page = page_of(p, &dsc, false);
+    input_source in = program_of(p);
+    page.sheet = 0;
+    if (!plb_count_pages_by_ghostscript(&in, &page, &p->page, &why))
+        return false;
+    plb_error_clear(&p->err);
+    return true;
 }
 
 /* Runs `what` on the file's program. */

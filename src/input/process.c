@@ -49,8 +49,8 @@ typedef struct {
     int last_descriptor;
     process_limits limits;
     const char *program;
-    char *const *argv;
-    char path[24], locale[12];
+    const char *const *argv;
+    char path[24], locale[12], folder[1100];
     char *environment[ENVIRONMENT_MAX + 1];
 } child_plan;
 
@@ -71,6 +71,8 @@ static void plan_environment(child_plan *plan)
     strcpy(plan->locale, "LC_ALL=C");
     plan->environment[n++] = plan->path;
     plan->environment[n++] = plan->locale;
+    if (plan->limits.scratch && snprintf(plan->folder, sizeof plan->folder, "TMPDIR=%s", plan->limits.scratch) > 0)
+        plan->environment[n++] = plan->folder;
     for (char **e = environ; e && *e && n < ENVIRONMENT_MAX; e++)
         if (is_passed_on(*e))
             plan->environment[n++] = *e;
@@ -109,7 +111,8 @@ static _Noreturn void be_child(const child_plan *plan)
     rlim_t seconds = (rlim_t)ceil(plan->limits.seconds);
     limit(RLIMIT_CPU, seconds, seconds + 1);
     limit(RLIMIT_CORE, 0, 0);
-    limit(RLIMIT_FSIZE, 0, 0);
+    rlim_t file = plan->limits.scratch ? PROCESS_SCRATCH_BYTES : 0;
+    limit(RLIMIT_FSIZE, file, file);
     if (LIMIT_MEMORY)
         limit(RLIMIT_AS, plan->limits.memory, plan->limits.memory);
     /* our ends are above 2 (see open_ends), so none of these overwrites another */
@@ -117,7 +120,7 @@ static _Noreturn void be_child(const child_plan *plan)
         _exit(127);
     for (int fd = 3; fd <= plan->last_descriptor; fd++)
         close(fd);
-    execve(plan->program, plan->argv, plan->environment);
+    execve(plan->program, (char *const *)plan->argv, plan->environment); /* it takes no const and keeps it */
     _exit(127);
 }
 
@@ -171,7 +174,7 @@ static bool open_ends(int ends[6])
     return true;
 }
 
-bool plb_process_start(process *p, const char *program, char *const argv[], const char *input, size_t size,
+bool plb_process_start(process *p, const char *program, const char *const argv[], const char *input, size_t size,
                        const process_limits *limits, error *err)
 {
     int ends[6];

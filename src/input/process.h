@@ -17,7 +17,9 @@ typedef struct {
     double seconds; /* of processor time; by the clock three times as many in silence (neither bytes taken nor given), ten
                        times as many in all */
     size_t memory;  /* bytes of address space */
+    const char *scratch; /* a folder in which it may write files, of PROCESS_SCRATCH_BYTES each; NULL: it writes nowhere */
 } process_limits;
+#define PROCESS_SCRATCH_BYTES ((size_t)256 << 20)
 #define PROCESS_LIMITS ((process_limits){.seconds = 10, .memory = (size_t)1 << 30})
 
 typedef enum {
@@ -43,7 +45,7 @@ typedef struct {
 
 /* Starts `program` with arguments argv[0..], NULL-terminated, and `size` bytes of input, which must live until the
  * end; `limits` may be NULL. False and `err` when it cannot be started; then there is nothing to finish. */
-bool plb_process_start(process *p, const char *program, char *const argv[], const char *input, size_t size,
+bool plb_process_start(process *p, const char *program, const char *const argv[], const char *input, size_t size,
                        const process_limits *limits, error *err);
 /* Waits for more of its output. False at the end of the output. The bytes live until the next call. */
 bool plb_process_read(process *p, const char **data, size_t *size);

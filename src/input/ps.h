@@ -258,6 +258,8 @@ struct ps {
     ps_dict *systemdict, *userdict, *globaldict, *statusdict, *errordict, *error_info, *fonts, *built_in_fonts, *resources;
     ps_object standard_encoding, latin1_encoding;
     ps_file *main_file;
+    const char *program; /* all of it: main_file->at moves on */
+    bool refused;        /* something was refused on purpose */
     /* saves */
     ARRAY(ps_change) changes;
     uint32_t save_now, save_last; /* the innermost save, and the last number given; 0: none */
@@ -270,7 +272,7 @@ struct ps {
     int32_t random;
     bool packing, global;
     struct ps_show *showing; /* the innermost string whose Type 3 glyphs are being drawn */
-    unsigned long strings_left_out;
+    unsigned long strings_left_out, bitmap_strings, shadings; /* met and not drawn, or not well */
 };
 
 static inline ps_state *ps_gs(ps *p) { return &p->states[p->state_count - 1]; }

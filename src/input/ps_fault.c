@@ -49,6 +49,7 @@ bool plb_ps_undefined(ps *p, ps_object key)
 
 bool plb_ps_refuse(ps *p)
 {
+    p->refused = true;
     return plb_ps_explain(p, PS_INVALIDFILEACCESS, "the operator '%s' is refused", p->op->name);
 }
 

@@ -27,7 +27,7 @@ static void clear_page(ps *p)
 
 bool plb_ps_page_has_something(const ps *p)
 {
-    return p->list->items.n || p->list->images || p->strings_left_out;
+    return p->list->items.n || p->list->images || p->strings_left_out || p->bitmap_strings;
 }
 
 /* Pages that have something on them count; the one that is wanted ends the reading. */
@@ -41,7 +41,7 @@ static bool op_showpage(ps *p)
     }
     clear_page(p);
     p->list->images = 0;
-    p->strings_left_out = 0;
+    p->strings_left_out = p->bitmap_strings = p->shadings = 0;
     plb_ps_reset_graphics(p);
     return true;
 }

@@ -174,6 +174,7 @@ static bool op_shfill(ps *p)
 {
     double grey;
     mean_of_function(p, ps_args(p, 1)->as.dict, &grey);
+    p->shadings++;
     if (!plb_ps_save_state(p))
         return false;
     box b = plb_ps_clip_bounds(p);

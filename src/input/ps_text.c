@@ -149,7 +149,7 @@ static void drop_show(ps *p, ps_frame *f)
     ps_show *s = f->data;
     leave_glyph(p, s);
     p->showing = s->outer;
-    p->strings_left_out += s->has_image && !s->only_measure;
+    p->bitmap_strings += s->has_image && !s->only_measure;
 }
 
 static bool call_between(ps *p, const ps_show *s)

@@ -39,7 +39,7 @@ const char *plb_reader_message(process *p)
     return p->message;
 }
 
-bool plb_reader_run(const input_source *in, const char *who, const char *program, char *const argv[], process *p,
+bool plb_reader_run(const input_source *in, const char *who, const char *program, const char *const argv[], process *p,
                     reader_bytes *out, error *err)
 {
     error why = {0};

@@ -15,7 +15,7 @@ typedef ARRAY(char) reader_bytes;
  * it could be started and its output collected; how it ended stands in p->end, p->code, p->message (the process is
  * finished, not to be finished again). False and `err` ("NAME: what") when it could not, or ran out of time or memory,
  * or died; `who` names it there. The caller frees the bytes in every case. */
-bool plb_reader_run(const input_source *in, const char *who, const char *program, char *const argv[], process *p,
+bool plb_reader_run(const input_source *in, const char *who, const char *program, const char *const argv[], process *p,
                     reader_bytes *out, error *err);
 
 /* Fills `err` when the process ran out of time or memory, or crashed; else true. */

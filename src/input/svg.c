@@ -58,13 +58,12 @@ static outcome explain_end(const input_source *in, process *p, error *err)
 
 static outcome run_tap(const input_source *in, const char *program, manner how, display_list *list, error *err)
 {
-    char name[] = "tap-svg", recover[] = "--recover", no_text[] = "--no-text";
-    char *argv[4] = {name};
+    const char *argv[4] = {"tap-svg"};
     int n = 1;
     if (how.recover)
-        argv[n++] = recover;
+        argv[n++] = "--recover";
     if (how.no_text)
-        argv[n++] = no_text;
+        argv[n++] = "--no-text";
     argv[n] = NULL;
     process p;
     error reading = {0};

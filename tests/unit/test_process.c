@@ -11,12 +11,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static char shell[] = "sh", option[] = "-c";
+static const char shell[] = "sh", option[] = "-c";
 
 /* Runs `script` in a shell and adds up its output; false when it did not start. */
 static bool run(process *p, char *script, const char *input, size_t size, size_t *bytes)
 {
-    char *argv[] = {shell, option, script, NULL};
+    const char *argv[] = {shell, option, script, NULL};
     error err = {0};
     *bytes = 0;
     if (!plb_process_start(p, "/bin/sh", argv, input, size, NULL, &err))
@@ -86,7 +86,8 @@ static void crashes_are_told(void)
 
 static void stopped_early_is_killed(void)
 {
-    char script[] = "while :; do echo y; done", *argv[] = {shell, option, script, NULL};
+    char script[] = "while :; do echo y; done";
+    const char *argv[] = {shell, option, script, NULL};
     process p;
     error err = {0};
     const char *data;
@@ -130,7 +131,7 @@ static void missing_programs(void)
     CHECK(!plb_process_find("/nonexistent", "tap-svg", path, &err));
     CHECK(err.kind == ERROR_HELPER && strstr(err.text, "/nonexistent"));
     CHECK(plb_process_find("/bin", "sh", path, NULL) && !strcmp(path, "/bin/sh"));
-    char *argv[] = {shell, NULL};
+    const char *argv[] = {shell, NULL};
     process p;
     error none = {0};
     const char *data;

@@ -1,0 +1,102 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * See ghostscript.h. The page is set from outside (FIXEDMEDIA, Install), so that it is the one that our reader found
+ * whatever the program says; -dEPSCrop would take the BoundingBox of EPS alone.
+ */
+#include "input/ghostscript.h"
+
+#include "base/units.h"
+#include "input/reader.h"
+#include "input/scratch.h"
+
+#include <math.h>
+#include <stdio.h>
+
+#define PROGRAM "gs"
+#define WHO "Ghostscript"
+#define MM_PER_POINT (MM_PER_INCH / 72)
+
+bool plb_ghostscript_is_there(void)
+{
+    char program[PROCESS_PATH_MAX];
+    return plb_process_find_installed(PROGRAM, program);
+}
+
+/* The arguments, and room for the texts of those that vary. */
+typedef struct {
+    char first[32], last[32], width[48], height[48], install[128];
+    const char *argv[32];
+} arguments;
+
+/* The upper left corners of the area and the page, a whole number of points, are the same. */
+static void set_arguments(arguments *a, const gs_page *page)
+{
+    double w = ceil(page->area.x1 - page->area.x0), h = ceil(page->area.y1 - page->area.y0);
+    snprintf(a->first, sizeof a->first, "-dFirstPage=%u", page->sheet ? page->sheet : 1);
+    snprintf(a->last, sizeof a->last, "-dLastPage=%u", page->sheet ? page->sheet : 1000000u);
+    snprintf(a->width, sizeof a->width, "-dDEVICEWIDTHPOINTS=%.0f", fmax(w, 1));
+    snprintf(a->height, sizeof a->height, "-dDEVICEHEIGHTPOINTS=%.0f", fmax(h, 1));
+    snprintf(a->install, sizeof a->install, "<< /Install { %.6f %.6f translate } >> setpagedevice", -page->area.x0, h - page->area.y1);
+    const char *all[] = {PROGRAM, "-q", "-dSAFER", "-dBATCH", "-dNOPAUSE", "-sDEVICE=pdfwrite", "-dFIXEDMEDIA",
+                         "-dAutoRotatePages=/None", "-dCompressPages=false", "-sstdout=%stderr", "-sOutputFile=-", a->first,
+                         a->last, a->width, a->height, "-c", a->install, "-f", "-", page->lacks_showpage ? "-c" : NULL, "showpage",
+                         NULL};
+    for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+        a->argv[i] = all[i];
+}
+
+static bool make_pdf(const input_source *in, const gs_page *page, reader_bytes *pdf, error *err)
+{
+    char program[PROCESS_PATH_MAX];
+    scratch temporary;
+    process p;
+    arguments a;
+    error why = {0};
+    if (!plb_process_find_installed(PROGRAM, program))
+        return plb_fail(err, ERROR_HELPER, "%s: Ghostscript (gs) is not installed", in->name);
+    if (!plb_scratch_open(&temporary, &why))
+        return plb_fail(err, why.kind, "%s: %s", in->name, why.text);
+    set_arguments(&a, page);
+    input_source with_folder = *in;
+    with_folder.limits.scratch = temporary.folder;
+    bool ok = plb_reader_run(&with_folder, WHO, program, a.argv, &p, pdf, err);
+    plb_scratch_close(&temporary);
+    if (ok && (p.code != 0 || !pdf->n))
+        return plb_fail(err, ERROR_UNSUPPORTED, "%s: Ghostscript: %.200s", in->name, plb_reader_message(&p));
+    return ok;
+}
+
+static input_source as_pdf(const input_source *in, const reader_bytes *pdf)
+{
+    input_source made = *in;
+    made.data = pdf->v;
+    made.size = pdf->n;
+    made.page = 1;
+    return made;
+}
+
+bool plb_read_by_ghostscript(const input_source *in, const gs_page *page, display_list *list, error *err)
+{
+    reader_bytes pdf = {0};
+    bool ok = make_pdf(in, page, &pdf, err);
+    if (ok) {
+        input_source from = as_pdf(in, &pdf);
+        ok = plb_read_pdf(&from, list, err);
+    }
+    array_free(&pdf);
+    list->width = (page->area.x1 - page->area.x0) * MM_PER_POINT;
+    list->height = (page->area.y1 - page->area.y0) * MM_PER_POINT;
+    return ok;
+}
+
+bool plb_count_pages_by_ghostscript(const input_source *in, const gs_page *page, unsigned *pages, error *err)
+{
+    reader_bytes pdf = {0};
+    bool ok = make_pdf(in, page, &pdf, err);
+    if (ok) {
+        input_source from = as_pdf(in, &pdf);
+        ok = plb_count_pdf_pages(&from, pages, err);
+    }
+    array_free(&pdf);
+    return ok;
+}
