@@ -43,13 +43,13 @@ judge() {
 }
 
 # What may be opened: the system's libraries, fonts and settings, Ghostscript's own, the programs themselves.
-allowed='^(/lib|/lib64|/usr/lib|/usr/local/lib|/usr/share/(fonts|fontconfig|X11|locale|mime|glib-2.0|icu|zoneinfo|ghostscript|poppler|color|xml|icons|themes)|/usr/local/share/fonts|/etc/(ld\.so|fonts|ghostscript|paper|localtime|locale|pango|nsswitch|passwd|xml|ssl)|/var/(cache/fontconfig|lib/ghostscript)|/proc/(self|meminfo|cpuinfo|sys|filesystems|[0-9]+/)|/sys/|/dev/(null|urandom|random|tty|shm)|/usr/bin/|/bin/)'
+allowed='^(/lib|/lib64|/usr/lib|/usr/local/lib|/usr/local/share|/usr/share/(matplotlib|fonts|fontconfig|X11|locale|mime|glib-2.0|icu|zoneinfo|ghostscript|poppler|color|xml|icons|themes)|/usr/local/share/fonts|/etc/(matplotlibrc|ld\.so|fonts|ghostscript|paper|localtime|locale|pango|nsswitch|passwd|xml|ssl)|/var/(cache/fontconfig|lib/ghostscript)|/proc/(self|meminfo|cpuinfo|sys|filesystems|[0-9]+/)|/sys/|/dev/(null|urandom|random|tty|shm)|/usr/bin/|/bin/)'
 # What the run in ../trace has opened with success, besides that and its own input, output and temporary files.
 judge_trace() { # NAME INPUT
     local opened
-    opened=$(grep -v ' = -1 ' ../trace | grep -oE '"[^"]+"' | tr -d '"' | sort -u |
+    opened=$(grep -v ' = -1 \|O_PATH' ../trace | grep -oE '"[^"]+"' | tr -d '"' | sort -u |
         grep -vE "$allowed" | grep -vE "^($BUILD_DIR/|\./)?(plumbago|tap-svg|tap-dxf)\$" | grep -vE "(^|/)(\.?out\.png[^/]*|$2)\$" |
-        grep -vE "^(${HOME:-/root}/\.(cache|config|fonts|local)|/tmp/(gs_|fontconfig|plumbago)|\.\$|/\$|/tmp\$|${PWD}\$)" | grep -vE "^$BUILD_DIR\$")
+        grep -vE "^(${HOME:-/root}/\.(cache|config|fonts|local)|(/tmp/)?gs_[A-Za-z0-9]{6}$|/tmp/(fontconfig|plumbago)|\.\$|/\$|/tmp\$|${PWD}\$)" | grep -vE "^$BUILD_DIR\$")
     report "$1 opens nothing it should not" "$opened"
     if grep -q 'connect(.*AF_INET' ../trace; then fail "$1 stays off the network" "$(grep -m 1 AF_INET ../trace)"; fi
 }

@@ -5,6 +5,7 @@
  */
 #include "input/ghostscript.h"
 
+#include "base/number.h"
 #include "base/units.h"
 #include "input/reader.h"
 #include "input/scratch.h"
@@ -24,7 +25,7 @@ bool plb_ghostscript_is_there(void)
 
 /* The arguments, and room for the texts of those that vary. */
 typedef struct {
-    char first[32], last[32], width[48], height[48], install[128];
+    char first[32], last[32], width[48], height[48], install[160];
     const char *argv[32];
 } arguments;
 
@@ -34,9 +35,11 @@ static void set_arguments(arguments *a, const gs_page *page)
     double w = ceil(page->area.x1 - page->area.x0), h = ceil(page->area.y1 - page->area.y0);
     snprintf(a->first, sizeof a->first, "-dFirstPage=%u", page->sheet ? page->sheet : 1);
     snprintf(a->last, sizeof a->last, "-dLastPage=%u", page->sheet ? page->sheet : 1000000u);
-    snprintf(a->width, sizeof a->width, "-dDEVICEWIDTHPOINTS=%.0f", fmax(w, 1));
-    snprintf(a->height, sizeof a->height, "-dDEVICEHEIGHTPOINTS=%.0f", fmax(h, 1));
-    snprintf(a->install, sizeof a->install, "<< /Install { %.6f %.6f translate } >> setpagedevice", -page->area.x0, h - page->area.y1);
+    char x[48], y[48]; /* at most 48 bytes each: number.h */
+    snprintf(a->width, sizeof a->width, "-dDEVICEWIDTHPOINTS=%ld", lround(fmax(w, 1)));
+    snprintf(a->height, sizeof a->height, "-dDEVICEHEIGHTPOINTS=%ld", lround(fmax(h, 1)));
+    snprintf(a->install, sizeof a->install, "<< /Install { %s %s translate } >> setpagedevice", plb_format_number(x, -page->area.x0, 6),
+             plb_format_number(y, h - page->area.y1, 6));
     const char *all[] = {PROGRAM, "-q", "-dSAFER", "-dBATCH", "-dNOPAUSE", "-sDEVICE=pdfwrite", "-dFIXEDMEDIA",
                          "-dAutoRotatePages=/None", "-dCompressPages=false", "-sstdout=%stderr", "-sOutputFile=-", a->first,
                          a->last, a->width, a->height, "-c", a->install, "-f", "-", page->lacks_showpage ? "-c" : NULL, "showpage",

@@ -5,6 +5,8 @@
 #include "input/process.h"
 
 #include "base/array.h"
+#include "input/cage.h"
+#include "input/seccomp.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -15,6 +17,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -29,18 +32,6 @@
 
 extern char **environ;
 
-/* A sanitizer reserves terabytes of addresses, so the limit on memory cannot be set for programs built with one. */
-#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-#define LIMIT_MEMORY 0
-#elif defined(__has_feature)
-#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
-#define LIMIT_MEMORY 0
-#endif
-#endif
-#ifndef LIMIT_MEMORY
-#define LIMIT_MEMORY 1
-#endif
-
 /* ---- the child -------------------------------------------------------------------------------------------- */
 
 /* Everything the child needs, made before the fork: afterwards only async-signal-safe calls are allowed. */
@@ -48,6 +39,7 @@ typedef struct {
     int in, out, err;
     int last_descriptor;
     process_limits limits;
+    cage cage;
     const char *program;
     const char *const *argv;
     char path[24], locale[12], folder[1100];
@@ -111,15 +103,19 @@ static _Noreturn void be_child(const child_plan *plan)
     rlim_t seconds = (rlim_t)ceil(plan->limits.seconds);
     limit(RLIMIT_CPU, seconds, seconds + 1);
     limit(RLIMIT_CORE, 0, 0);
+    limit(RLIMIT_NOFILE, 256, 256);
     rlim_t file = plan->limits.scratch ? PROCESS_SCRATCH_BYTES : 0;
     limit(RLIMIT_FSIZE, file, file);
-    if (LIMIT_MEMORY)
+    if (!SECCOMP_IS_OFF) /* a sanitizer reserves terabytes */
         limit(RLIMIT_AS, plan->limits.memory, plan->limits.memory);
     /* our ends are above 2 (see open_ends), so none of these overwrites another */
     if (dup2(plan->in, 0) < 0 || dup2(plan->out, 1) < 0 || dup2(plan->err, 2) < 0)
         _exit(127);
     for (int fd = 3; fd <= plan->last_descriptor; fd++)
         close(fd);
+    prctl(PR_SET_PDEATHSIG, SIGKILL); /* nobody would read what it writes */
+    if (!plan->limits.loose && !plb_cage_enter(&plan->cage))
+        _exit(126);
     execve(plan->program, (char *const *)plan->argv, plan->environment); /* it takes no const and keeps it */
     _exit(127);
 }
@@ -192,6 +188,8 @@ bool plb_process_start(process *p, const char *program, const char *const argv[]
     child_plan plan = {.in = ends[1], .out = ends[3], .err = ends[5], .limits = p->limits, .program = program, .argv = argv};
     plan.last_descriptor = highest_descriptor();
     plan_environment(&plan);
+    plb_cage_plan(&plan.cage, program, p->limits.scratch, plan.environment);
+    p->cage = plb_cage_name(&plan.cage);
     p->pid = fork();
     if (p->pid == 0)
         be_child(&plan);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Foreign code in a process of its own: bytes in on descriptor 0, bytes out from descriptor 1 while it runs, limits
- * on its time and memory, and an end in every case.
+ * on its time and memory, a cage (cage.h), and an end in every case.
  */
 #ifndef PLB_INPUT_PROCESS_H
 #define PLB_INPUT_PROCESS_H
@@ -18,9 +18,10 @@ typedef struct {
                        times as many in all */
     size_t memory;  /* bytes of address space */
     const char *scratch; /* a folder in which it may write files, of PROCESS_SCRATCH_BYTES each; NULL: it writes nowhere */
+    bool loose;          /* no cage, only limits; for our tests' own programs */
 } process_limits;
 #define PROCESS_SCRATCH_BYTES ((size_t)256 << 20)
-#define PROCESS_LIMITS ((process_limits){.seconds = 10, .memory = (size_t)1 << 30})
+#define PROCESS_LIMITS ((process_limits){.seconds = 8, .memory = (size_t)1 << 30})
 
 typedef enum {
     PROCESS_RUNNING,
@@ -41,6 +42,7 @@ typedef struct {
     size_t message_length;
     process_limits limits;
     double killed_at; /* by the clock */
+    const char *cage;  /* what holds it: plb_cage_name */
 } process;
 
 /* Starts `program` with arguments argv[0..], NULL-terminated, and `size` bytes of input, which must live until the

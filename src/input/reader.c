@@ -39,11 +39,19 @@ const char *plb_reader_message(process *p)
     return p->message;
 }
 
+bool plb_reader_start(const input_source *in, const char *who, const char *program, const char *const argv[], process *p, error *err)
+{
+    if (!plb_process_start(p, program, argv, in->data, in->size, &in->limits, err))
+        return false;
+    plb_say(&in->say, MESSAGE_DETAIL, "%s: %s reads it, caged by %s (%g s, %zu MiB)", in->name, who, p->cage, p->limits.seconds, p->limits.memory >> 20);
+    return true;
+}
+
 bool plb_reader_run(const input_source *in, const char *who, const char *program, const char *const argv[], process *p,
                     reader_bytes *out, error *err)
 {
     error why = {0};
-    if (!plb_process_start(p, program, argv, in->data, in->size, &in->limits, &why))
+    if (!plb_reader_start(in, who, program, argv, p, &why))
         return plb_fail(err, why.kind, "%s: %s", in->name, why.text);
     const char *data;
     size_t n;

@@ -18,6 +18,9 @@ typedef ARRAY(char) reader_bytes;
 bool plb_reader_run(const input_source *in, const char *who, const char *program, const char *const argv[], process *p,
                     reader_bytes *out, error *err);
 
+/* plb_process_start for a reader, which is told with -v. */
+bool plb_reader_start(const input_source *in, const char *who, const char *program, const char *const argv[], process *p, error *err);
+
 /* Fills `err` when the process ran out of time or memory, or crashed; else true. */
 bool plb_reader_ended_by_itself(const input_source *in, const char *who, const process *p, error *err);
 

@@ -67,7 +67,7 @@ static outcome run_tap(const input_source *in, const char *program, manner how, 
     argv[n] = NULL;
     process p;
     error reading = {0};
-    if (!plb_process_start(&p, program, argv, in->data, in->size, &in->limits, &reading)) {
+    if (!plb_reader_start(in, "librsvg", program, argv, &p, &reading)) {
         plb_fail(err, reading.kind, "%s: %s", in->name, reading.text);
         return FAILED;
     }

@@ -211,7 +211,7 @@ static bool set_help(void *p, const char *v) { return (void)v, ((settings *)p)->
 static const option table[] = {
     {0, NULL, NULL, "Input", NULL},
     {0, "page", "N|N-M|all", "which pages of a PDF or PostScript file, also a list [1]", set_page},
-    {0, "limit-time", "SECONDS", "processor time of each program that reads for us [10]", set_limit_time},
+    {0, "limit-time", "SECONDS", "processor time of each program that reads for us [8]", set_limit_time},
     {0, "limit-memory", "MIB", "memory of each program that reads for us [1024]", set_limit_memory},
     {0, NULL, NULL, "Output", NULL},
     {'o', "output", "FILE", "write FILE, PNG or .pdf; '-': standard output; %d: page [FILE.png]", set_output},

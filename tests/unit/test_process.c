@@ -5,6 +5,7 @@
 #include "check.h"
 
 #include "input/process.h"
+#include "input/scratch.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -13,13 +14,16 @@
 
 static const char shell[] = "sh", option[] = "-c";
 
+/* The shells of these tests start other programs, which no reader may. */
+static const process_limits loose = {.seconds = 10, .memory = (size_t)1 << 30, .loose = true};
+
 /* Runs `script` in a shell and adds up its output; false when it did not start. */
 static bool run(process *p, char *script, const char *input, size_t size, size_t *bytes)
 {
     const char *argv[] = {shell, option, script, NULL};
     error err = {0};
     *bytes = 0;
-    if (!plb_process_start(p, "/bin/sh", argv, input, size, NULL, &err))
+    if (!plb_process_start(p, "/bin/sh", argv, input, size, &loose, &err))
         return false;
     const char *data;
     size_t n;
@@ -92,7 +96,7 @@ static void stopped_early_is_killed(void)
     error err = {0};
     const char *data;
     size_t n;
-    CHECK(plb_process_start(&p, "/bin/sh", argv, "", 0, NULL, &err));
+    CHECK(plb_process_start(&p, "/bin/sh", argv, "", 0, &loose, &err));
     CHECK(plb_process_read(&p, &data, &n) && n > 0);
     plb_process_finish(&p);
     CHECK(p.end != PROCESS_RUNNING);
@@ -124,6 +128,132 @@ static void little_is_passed_on(void)
     close(low);
 }
 
+/* ---- the cage: the program tests/tools/burglar tries what it can ------------------------------------------- */
+
+static char deeds[1024];
+
+static bool burgle(process *p, const process_limits *limits)
+{
+    char folder[] = "/tmp/plumbago-bait-XXXXXX", bait[64], program[1024], pid[16];
+    const char *build = getenv("BUILD_DIR"), *argv[] = {"burglar", folder, pid, NULL}, *data;
+    size_t n, used = 0;
+    error err = {0};
+    if (!mkdtemp(folder))
+        return false;
+    snprintf(bait, sizeof bait, "%s/bait", folder);
+    FILE *f = fopen(bait, "w");
+    if (!f)
+        return false;
+    fputs("bait", f);
+    fclose(f);
+    snprintf(pid, sizeof pid, "%ld", (long)getppid());
+    snprintf(program, sizeof program, "%s/tests/tools/burglar", build ? build : "build/release");
+    bool ok = plb_process_start(p, program, argv, "", 0, limits, &err);
+    while (ok && plb_process_read(p, &data, &n))
+        for (size_t i = 0; i < n && used < sizeof deeds - 1; i++)
+            deeds[used++] = data[i];
+    deeds[used] = '\0';
+    if (ok)
+        plb_process_finish(p);
+    char clean[128];
+    snprintf(clean, sizeof clean, "rm -rf %s", folder);
+    return system(clean) == 0 && ok && p->end == PROCESS_EXITED && p->code == 0;
+}
+
+static void the_burglar_burgles(void)
+{
+    static const char *const words[] = {"read", "list", "passwd", "environ", "write", "truncate", "chmod", "mkdir", "symlink",
+                                        "link", "rename", "unlink", "fork", "execute", "limits"};
+    process p;
+    process_limits open_door = loose;
+    CHECK(burgle(&p, &open_door));
+    for (size_t i = 0; i < sizeof words / sizeof *words; i++) /* else the next test says nothing; creating meets a limit */
+        if (!strstr(deeds, words[i]))
+            printf("FAIL the_burglar_burgles: he cannot %s even without a cage\n", words[i]);
+}
+
+static void the_cage_holds(void)
+{
+    process p;
+    CHECK(burgle(&p, NULL));
+    if (strstr(p.cage, "Landlock") && strstr(p.cage, "seccomp")) {
+        if (deeds[0])
+            printf("FAIL the_cage_holds: he could: %s\n", deeds);
+    } else if (strstr(p.cage, "Landlock")) {
+        CHECK(!strstr(deeds, "read") && !strstr(deeds, "write") && !strstr(deeds, "unlink") && !strstr(deeds, "mkdir"));
+        printf("skip the_cage_holds for system calls: no seccomp in this kernel or build\n");
+    } else {
+        printf("skip the_cage_holds for files: no Landlock in this kernel\n");
+    }
+}
+
+/* A folder to write in, where there is one, and still no other. */
+static void scratch_is_the_only_place(void)
+{
+    scratch s;
+    process p;
+    error err = {0};
+    CHECK(plb_scratch_open(&s, &err));
+    process_limits limits = PROCESS_LIMITS;
+    limits.scratch = s.folder;
+    char inside[SCRATCH_PATH_MAX + 8];
+    snprintf(inside, sizeof inside, "%s/x", s.folder);
+    const char *argv[] = {"sh", "-c", "echo 1 >$TMPDIR/x && read a <$TMPDIR/x && echo in $a; echo 1 2>&1 >/tmp/plumbago-outside; [ -e /tmp/plumbago-outside ] || echo good", NULL};
+    const char *data;
+    size_t n, used = 0;
+    CHECK(plb_process_start(&p, "/bin/sh", argv, "", 0, &limits, &err));
+    while (plb_process_read(&p, &data, &n))
+        for (size_t i = 0; i < n && used < sizeof deeds - 1; i++)
+            deeds[used++] = data[i];
+    deeds[used] = '\0';
+    plb_process_finish(&p);
+    CHECK(strstr(deeds, "in 1"));
+    CHECK(access(inside, F_OK) == 0);
+    if (strstr(p.cage, "Landlock"))
+        CHECK(strstr(deeds, "good"));
+    plb_scratch_close(&s);
+    CHECK(access(s.folder, F_OK) != 0);
+    CHECK(no_child_left());
+    remove("/tmp/plumbago-outside");
+}
+
+/* Neither silence nor a trickle keeps us: the clock counts, too. */
+static void the_clock_counts(void)
+{
+    process p;
+    const char *data;
+    size_t n;
+    error err = {0};
+    process_limits short_ones = loose;
+    short_ones.seconds = 0.1;
+    const char *silent[] = {"sleep", "100", NULL};
+    CHECK(plb_process_start(&p, "/bin/sleep", silent, "", 0, &short_ones, &err));
+    while (plb_process_read(&p, &data, &n)) {}
+    plb_process_finish(&p);
+    CHECK(p.end == PROCESS_TIMED_OUT);
+    const char *trickle[] = {shell, option, "while :; do echo x; sleep .1; done", NULL};
+    CHECK(plb_process_start(&p, "/bin/sh", trickle, "", 0, &short_ones, &err));
+    while (plb_process_read(&p, &data, &n)) {}
+    plb_process_finish(&p);
+    CHECK(p.end == PROCESS_TIMED_OUT);
+    CHECK(no_child_left());
+}
+
+static void memory_is_limited(void)
+{
+    process p;
+    const char script[] = "exec dd if=/dev/zero of=/dev/null bs=200M count=1"; /* one buffer of that size */
+    process_limits small = loose;
+    small.memory = (size_t)64 << 20;
+    const char *argv[] = {shell, option, script, NULL}, *data;
+    error err = {0};
+    size_t n;
+    CHECK(plb_process_start(&p, "/bin/sh", argv, "", 0, &small, &err));
+    while (plb_process_read(&p, &data, &n)) {}
+    plb_process_finish(&p);
+    CHECK(p.end != PROCESS_EXITED || p.code != 0);
+}
+
 static void missing_programs(void)
 {
     char path[PROCESS_PATH_MAX];
@@ -152,6 +282,11 @@ int main(void)
     RUN(stopped_early_is_killed);
     RUN(output_closed_but_alive_is_killed);
     RUN(little_is_passed_on);
+    RUN(the_burglar_burgles);
+    RUN(the_cage_holds);
+    RUN(scratch_is_the_only_place);
+    RUN(the_clock_counts);
+    RUN(memory_is_limited);
     RUN(missing_programs);
     CHECK_EXIT;
 }
