@@ -138,7 +138,7 @@ packages-check:
 .PHONY: figures bench realism fidelity profiles
 figures: all $(tests_bin)
 	$(Q)tests/figures $(O)
-bench: all $(O)/tests/tools/measure
+bench: all $(O)/tests/tools/measure $(O)/tests/tools/stage_speed $(O)/tests/tools/core_speed
 	$(Q)tests/bench $(O)
 fidelity: all $(tests_bin)
 	$(Q)tests/run $(O) tests/fidelity.sh

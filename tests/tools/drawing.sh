@@ -4,6 +4,7 @@
 #   barn       a barn of 40 lines, 800 by 600 px
 #   segments   N straight lines as a CAD plan has them, on 2000 by 1500 px: walls, doors, hatching, dimensions
 #   curves     N cubic curves, each a path of its own, on 2000 by 1500 px
+#   hatching   a page of 6,000 hatch lines in fields of several directions, on 2000 by 1500 px
 LC_ALL=C awk -v kind="$1" -v n="${2:-0}" '
 function page(w, h, width) {
     printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" fill=\"none\" stroke=\"#000\" stroke-width=\"%s\">\n", w, h, width
@@ -51,11 +52,22 @@ function curve(    x, y, k, d) {
     for (k = 0; k < 3; k++) d = d sprintf("%.2f %.2f ", x + random(-60, 60), y + random(-60, 60))
     print "<path d=\"" d "\"/>"
 }
+function hatching(    i, j, k, x, y) {
+    for (j = 0; j < 6; j++) for (i = 0; i < 8; i++) {
+        x = 20 + 246 * i; y = 20 + 245 * j
+        for (k = 0; k < 125; k++) {
+            if ((i + j) % 3 == 0) line(x, y + 1.9 * k, x + 236, y + 1.9 * k)
+            else if ((i + j) % 3 == 1) line(x + 1.9 * k, y, x + 1.9 * k, y + 236)
+            else line(x + (k > 62 ? 3.8 * (k - 62) : 0), y + (k > 62 ? 236 : 3.8 * k), x + (k > 62 ? 236 : 3.8 * k), y + (k > 62 ? 3.8 * (k - 62) : 0))
+        }
+    }
+}
 BEGIN {
     state = 20081
     if (kind == "barn") { n = 40; page(800, 600, "1.5"); barn() }
     else if (kind == "segments") { page(2000, 1500, "1"); plan() }
     else if (kind == "curves") { page(2000, 1500, "1"); for (k = 0; k < n; k++) curve() }
-    else { print "usage: drawing.sh barn|segments|curves [N]" >"/dev/stderr"; exit 2 }
+    else if (kind == "hatching") { n = 6000; page(2000, 1500, "1"); hatching() }
+    else { print "usage: drawing.sh barn|segments|curves|hatching [N]" >"/dev/stderr"; exit 2 }
     print "</svg>"
 }'
