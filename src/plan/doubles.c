@@ -23,7 +23,9 @@
 /* Cells are so large that the lines are in about this many of them at most. */
 #define MOST_CELLS 8e6
 /* Looks at neighbours for one segment: where more lines lie upon each other it is a blot anyway. */
-#define MOST_LOOKS 4096
+#define MOST_LOOKS 1024
+/* … and for all, some seconds of them: beyond, what lies upon each other stays. */
+#define MOST_LOOKS_OF_ALL 1e8
 
 typedef struct {
     double from, to; /* arc lengths, mm */
@@ -36,7 +38,7 @@ typedef struct {
 
 typedef struct {
     stroke_list *made;
-    double tolerance, least_cosine;
+    double tolerance, least_cosine, looks;
     grid where;
     ARRAY(drawn) segments; /* of the strokes made, on the grid */
     ARRAY(run) runs;       /* of the stroke at work, that lie upon others */
@@ -111,10 +113,13 @@ static bool find_runs(undoubler *u, touch like, point a, point b, double start)
     int64_t column, row, low = part_of(q.along, -TURN_DEGREES), high = part_of(q.along, TURN_DEGREES);
     grid_walk w = plb_grid_walk(&u->where, a, b, u->tolerance);
     size_t looks = 0;
+    if (u->looks > MOST_LOOKS_OF_ALL)
+        return true;
     while (looks < MOST_LOOKS && plb_grid_step(&w, &column, &row))
         if (!find_in_cell(u, &q, column, row * DIRECTIONS + low, &looks) ||
             (high != low && !find_in_cell(u, &q, column, row * DIRECTIONS + high, &looks)))
             return false;
+    u->looks += (double)looks + 4;
     return true;
 }
 

@@ -23,8 +23,8 @@
 #define EDGE_MARGIN_MM 0.05
 /* Boxes to a node of the tree. */
 #define FAN 8
-/* The most looks at edges for one drawing, about ten seconds of them: beyond, nothing more is cut. */
-#define MOST_WORK 4e9
+/* The most looks at edges for one drawing, some seconds of them: beyond, nothing more is cut. */
+#define MOST_WORK 2e8
 
 typedef struct {
     box bounds;
@@ -203,7 +203,8 @@ typedef bool (*area_visit)(cover *c, area *a, void *closure);
 static bool visit(cover *c, size_t level, size_t k, box b, area_visit see, void *closure)
 {
     const node *at = &c->nodes.v[c->level[level] + k];
-    if ((c->later && at->latest <= c->asks) || at->bounds.x0 > b.x1 || at->bounds.x1 < b.x0 || at->bounds.y0 > b.y1 || at->bounds.y1 < b.y0)
+    c->work++;
+    if (plb_cover_is_exhausted(c) || (c->later && at->latest <= c->asks) || at->bounds.x0 > b.x1 || at->bounds.x1 < b.x0 || at->bounds.y0 > b.y1 || at->bounds.y1 < b.y0)
         return true;
     if (level == 0)
         return see(c, &c->areas.v[k], closure);
