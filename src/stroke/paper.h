@@ -9,8 +9,9 @@
 #include "stroke/stroke.h"
 
 #define PAPER_UNIT 32      /* steps of a height's standard deviation */
-#define PAPER_SIDE_MAX 251
-#define PAPER_RUN 128      /* texels that can be read in one go from any place of a tile */
+#define PAPER_SIDE_MAX 191
+#define PAPER_RUN 64       /* texels that can be read in one go from any place of a tile */
+#define PAPER_BLOCK 8      /* heights are made so many at a time */
 #define PAPER_LAGS 3       /* texels apart at which heights correlate, and zero */
 
 typedef struct {
@@ -24,7 +25,7 @@ typedef struct {
 bool plb_paper_make(paper *p, paper_kind kind, const float normal[]);
 paper_sheet plb_paper_sheet(uint64_t seed);
 /* Heights at `n` (at most PAPER_RUN) places of the page, the first at (x, y) mm, each next `step` mm farther in x, in
- * 1/PAPER_UNIT. */
+ * 1/PAPER_UNIT. Room for `n` up to the next multiple of PAPER_BLOCK is written. */
 void plb_paper_row(const paper *p, const paper_sheet *sheet, double x, double y, double step, int n, int16_t *out);
 
 #endif

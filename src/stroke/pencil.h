@@ -13,7 +13,7 @@
 /* Of the graphite model: all that a stroke needs as tables of whole numbers. */
 #define FIELD_UNIT PAPER_UNIT /* steps of a score's standard deviation in the field: 4 sigma fit a byte */
 #define NOISE_UNIT 2048       /* … and before the field is rounded to bytes */
-#define NOISE_LENGTH 4096     /* of the sequence of white noise; as many as there are normal numbers */
+#define NOISE_LENGTH 2048     /* of the sequence of white noise: every other normal number */
 #define NOISE_PAD 96          /* rows of the broadest stroke, at least */
 #define GRAIN_NORMALS 4096    /* a normal number per 12 random bits */
 #define GRAIN_KNOT 4          /* the section is worked out every so many columns */
@@ -23,6 +23,7 @@
 #define SECTION_UNIT 1440     /* … are a level in these */
 #define GRAIN_LEVEL_UNIT 180  /* steps of a level in the end: 1.4 fits a byte */
 #define GRAIN_RELATIVE_UNIT 4096 /* steps of relative darkness */
+#define DARKNESS_ROWS 96      /* small enough to stay in the nearest cache */
 #define ROUGH_CLASSES 32      /* of roughness, in equal steps of its logarithm … */
 #define ROUGH_LOG_STEP 0.04   /* … about 1 */
 
@@ -33,8 +34,11 @@ typedef struct {
     int16_t section[GRAIN_PLACES_PADDED];           /* mean section at the modes' places */
     int16_t mode[GRAIN_MODES][GRAIN_PLACES_PADDED]; /* modes, faded where there is hardly any line */
     int8_t bend[ROUGH_CLASSES][256]; /* normal score of field value k - 128, less the field value */
-    uint8_t share[256];              /* by level: how much of that difference holds, of 256 */
-    uint16_t darkness[256][128];     /* relative darkness by level and half the score's steps */
+    struct {
+        uint8_t share; /* how much of that difference holds, of 256 */
+        uint8_t row;   /* of the table of darkness: close together where little is expected */
+    } at_level[256];
+    uint16_t darkness[DARKNESS_ROWS][128]; /* relative darkness by row and half the score's steps */
     double reach;                    /* px of the reference width from the centreline: farther there is nothing */
     float chain_high, chain_low;     /* the profile's, farther apart to make up for the paper, which does not join in */
     paper paper;

@@ -6,7 +6,7 @@
  * The grain's innovations are white noise through a filter of GRAIN_TAPS columns. A column of white noise is a window of one
  * long sequence, at a random place; so what it adds to each of the columns about it is a window, at the same place, of
  * that sequence filtered by one column of the filter. Filtering once per pencil instead of once per stroke leaves
- * a few additions a column. A window of some twenty numbers at one of 4096 places, five such summed in each column: no
+ * a few additions a column. A window of some twenty numbers at one of 2048 places, five such summed in each column: no
  * section of a stroke ever comes again.
  */
 #include "base/random.h"
@@ -17,12 +17,12 @@
 
 /* ---- the sequence ---- */
 
-/* Each of the normal numbers once, in random order: mean and variance are exact. */
+/* Every other normal number once, in random order: mean and variance are exact. */
 static void shuffle(const grain_tables *t, float out[NOISE_LENGTH])
 {
     uint64_t key = random_key(0, 0, PURPOSE_GRAIN);
     for (int k = 0; k < NOISE_LENGTH; k++)
-        out[k] = t->normal[k];
+        out[k] = t->normal[k * (GRAIN_NORMALS / NOISE_LENGTH) + k % 2]; /* alternately, so that no side is preferred */
     for (int k = NOISE_LENGTH - 1; k > 0; k--) {
         int other = (int)((random_bits(key, (uint64_t)k) >> 32) * (uint64_t)(k + 1) >> 32);
         float v = out[k];

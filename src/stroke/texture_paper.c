@@ -5,7 +5,7 @@
  * Input: the kind of paper, a seed, places in mm on the page. Output: heights with mean 0 and variance 1, normal.
  *
  * Two tiles of filtered white noise whose sides are different primes, added: neither repeats visibly, and both together
- * repeat after some 58,000 texels, five metres. A texel is 1/300 inch whatever the page's resolution.
+ * repeat after some 33,000 texels, nearly three metres. A texel is 1/300 inch whatever the page's resolution.
  */
 #include "stroke/pencil.h"
 
@@ -15,7 +15,7 @@
 
 #include <math.h>
 
-static const int sides[PAPER_TILES] = {251, 233};
+static const int sides[PAPER_TILES] = {191, 173};
 
 /* How much of the grain is the paper's, and the weight of a texel's neighbours in its height, which sets how broad the
  * hollows are. The first chosen by eye and before the observer, which tells lines on rougher paper from scanned ones more
@@ -95,28 +95,48 @@ paper_sheet plb_paper_sheet(uint64_t seed)
     return s;
 }
 
-/* `at` on a ring. */
-static int wrap(double at, int side)
+/* `at`, a whole number, on a ring. */
+static inline int wrap(int64_t at, int tile)
 {
-    double r = at - floor(at / side) * side;
-    return r >= side ? 0 : (int)r;
+    static const double inverse[PAPER_TILES] = {1.0 / 191, 1.0 / 173};
+    int64_t rest = at - (int64_t)((double)at * inverse[tile]) * sides[tile]; /* off by one turn at most */
+    rest += rest < 0 ? sides[tile] : 0;
+    return (int)(rest >= sides[tile] ? rest - sides[tile] : rest);
 }
+
+static inline int64_t floor_of(double v)
+{
+    int64_t whole = (int64_t)v;
+    return whole - (v < (double)whole);
+}
+
+static int16_t height_at(const paper *p, const paper_sheet *sheet, int64_t x, int64_t y)
+{
+    int sum = 0;
+    for (int i = 0; i < PAPER_TILES; i++)
+        sum += p->tile[i][wrap(y + sheet->y[i], i)][wrap(x + sheet->x[i], i)];
+    return (int16_t)sum;
+}
+
+#define TEXELS_PER_MM (1 / MM_PER_PAPER_PX)
 
 void plb_paper_row(const paper *p, const paper_sheet *sheet, double x, double y, double step, int n, int16_t *out)
 {
-    double px = x / MM_PER_PAPER_PX, way = step / MM_PER_PAPER_PX, row = floor(y / MM_PER_PAPER_PX);
-    double first = floor(px);
+    double px = x * TEXELS_PER_MM, way = step * TEXELS_PER_MM;
+    int64_t first = floor_of(px), row = floor_of(y * TEXELS_PER_MM);
     const int8_t *from[PAPER_TILES];
     for (int i = 0; i < PAPER_TILES; i++)
-        from[i] = p->tile[i][wrap(row + sheet->y[i], sides[i])] + wrap(first + sheet->x[i], sides[i]);
+        from[i] = p->tile[i][wrap(row + sheet->y[i], i)] + wrap(first + sheet->x[i], i);
     if (fabs(way - 1) < 1e-9) { /* the page has the paper's resolution */
-        for (int k = 0; k < n; k++)
-            out[k] = (int16_t)(from[0][k] + from[1][k]);
+        for (int b = 0; b < n; b += PAPER_BLOCK)
+            for (int k = b; k < b + PAPER_BLOCK; k++)
+                out[k] = (int16_t)(from[0][k] + from[1][k]);
         return;
     }
-    float within = (float)(px - first), texels = (float)way;
+    float within = (float)(px - (double)first), texels = (float)way;
+    const bool is_near = way * n < PAPER_RUN - 2; /* very coarse pages go round the tiles */
     for (int k = 0; k < n; k++) {
         int at = (int)(within + (float)k * texels);
-        out[k] = (int16_t)(from[0][at] + from[1][at]);
+        out[k] = is_near ? (int16_t)(from[0][at] + from[1][at]) : height_at(p, sheet, first + at, row);
     }
 }

@@ -15,9 +15,12 @@
 #include <math.h>
 #include <string.h>
 
-#define RUN 64
+#define RUN 32
 /* The shares of field and paper are weights of so many bits. */
 #define SHARE_BITS 8
+
+/* Vector loops run over whole blocks of points; what lies beyond the last one is never used. */
+#define BLOCK 8
 
 /* Where a run's points are. */
 typedef struct {
@@ -28,38 +31,38 @@ typedef struct {
 
 /* ---- places ---- */
 
-/* The profile's place, px, of a point `across` px from the centreline. A line's own width stretches the whole section; the
- * width that a pencil was assigned stretches its core only: flanks and the dust beside them stay as steep as scanned. */
-static inline float place_of(const grain *g, float across)
-{
-    float x = fabsf(across) * g->narrow, beyond = x - g->half_width;
-    float place = (x - (beyond > 0 ? beyond : 0)) * (g->half_reference / g->half_width) + (beyond > 0 ? beyond : 0);
-    return across < 0 ? -place : place;
-}
-
 #define PLACE_UNIT (256 / (float)PROFILE_SECTION_STEP)
 #define PLACE_LAST ((GRAIN_MODE_PLACES - 1) * 256 - 1)
 
-static inline void locate(const grain *g, float along, float across, float exact, int first, int i, run *r)
+static inline int32_t within(int32_t v, int32_t high)
 {
-    float place = (place_of(g, exact) + 8) * PLACE_UNIT, row = across + (float)(g->rows / 2) + 0.5f;
-    place = place < 0 ? 0 : place;
-    row = row < 0 ? 0 : row;
-    int column = (int)along + first;
-    r->column[i] = column < g->columns ? column : g->columns - 1;
-    r->row[i] = (int)(row < (float)g->rows ? row : (float)(g->rows - 1));
-    r->place[i] = (int)(place < PLACE_LAST ? place : PLACE_LAST);
+    v = v < 0 ? 0 : v;
+    return v > high ? high : v;
 }
 
-/* All points lie beside the line: `along` from its first column on. */
+/* The profile's place of a point `across` px from the centreline. A line's own width stretches the whole section; the width
+ * that a pencil was assigned stretches its core only: flanks and the dust beside them stay as steep as scanned. */
+static inline int32_t place_of(const grain *g, float across)
+{
+    float x = fabsf(across) * g->narrow, over = x - g->half_width, ratio = g->half_reference / g->half_width;
+    float place = x * ratio + (1 - ratio) * 0.5f * (over + fabsf(over)); /* the last factor: over, where positive */
+    return within((int32_t)((copysignf(place, across) + 8) * PLACE_UNIT), PLACE_LAST);
+}
+
+/* All points lie beside the line. Nothing here branches. */
 static void locate_run(const grain *g, const sample_row *at, int from, run *r)
 {
     double low = at->along + from * at->along_step, high = at->along + (from + r->n - 1) * at->along_step;
-    int first = (int)(low < high ? low : high);
-    float along = (float)(low - first), step = (float)at->along_step;
+    int32_t first = (int32_t)(low < high ? low : high), last = g->columns - 1, rows = g->rows - 1;
+    float along = (float)(low - first), step = (float)at->along_step, middle = (float)(g->rows / 2) + 0.5f;
     float across = (float)(at->across + from * at->across_step), aside = (float)at->across_step;
-    for (int i = 0; i < r->n; i++)
-        locate(g, along + (float)i * step, across + (float)i * aside, across + (float)i * aside, first, i, r);
+    for (int b = 0; b < r->n; b += BLOCK)
+        for (int i = b; i < b + BLOCK; i++) {
+            float u = across + (float)i * aside;
+            r->column[i] = within((int32_t)(along + (float)i * step) + first, last);
+            r->row[i] = within((int32_t)(u + middle), rows);
+            r->place[i] = place_of(g, u);
+        }
 }
 
 /* Beyond an end that is a corner the line goes on as a half disc. True when there is something; moves both coordinates. */
@@ -96,10 +99,9 @@ static void locate_one_by_one(const grain *g, const sample_row *at, int from, ru
         if (g->ragged > 0 && there)
             look_beside(g, &along, &across);
         along = along < 0 || !there ? 0 : along >= g->columns ? g->columns - 1 : along;
-        int first = (int)along;
-        locate(g, (float)(along - first), there ? (float)across : 0, there ? (float)exact : 100, first, i, r);
-        if (!there)
-            r->place[i] = 0; /* where no darkness is ever expected */
+        r->column[i] = (int32_t)along;
+        r->row[i] = within((int32_t)floor(across + g->rows / 2 + 0.5), g->rows - 1);
+        r->place[i] = there ? place_of(g, (float)exact) : 0; /* 0: where no darkness is ever expected */
     }
 }
 
@@ -114,11 +116,13 @@ static bool is_beside_line(const grain *g, const sample_row *at, int from, int n
 /* The expected levels and the values of the stroke's field. */
 static void gather(const grain *g, const run *r, int16_t level[RUN], int16_t field[RUN])
 {
+    const size_t stride = (size_t)g->stride;
     for (int i = 0; i < r->n; i++) {
-        const uint8_t *l = g->level + (size_t)((r->column[i] + GRAIN_KNOT / 2) / GRAIN_KNOT) * GRAIN_PLACES_PADDED + (r->place[i] >> 8);
-        int w = r->place[i] & 255;
-        level[i] = (int16_t)((l[0] * (256 - w) + l[1] * w + 128) >> 8);
-        field[i] = g->field[(size_t)r->column[i] * (size_t)g->stride + (size_t)r->row[i]];
+        size_t column = (size_t)r->column[i], place = (size_t)r->place[i];
+        const uint8_t *l = g->level + (column + GRAIN_KNOT / 2) / GRAIN_KNOT * GRAIN_PLACES_PADDED + (place >> 8);
+        int w = (int)(place & 255);
+        level[i] = (int16_t)((l[0] * 256 + (l[1] - l[0]) * w + 128) >> 8);
+        field[i] = g->field[column * stride + (size_t)r->row[i]];
     }
 }
 
@@ -132,21 +136,26 @@ static void press(const grain *g, const run *r, int16_t level[RUN])
 static void lay_on_paper(const grain *g, const sample_row *at, int from, int n, int16_t field[RUN])
 {
     const paper *p = &g->pencil->grain->paper;
-    int16_t height[RUN] = {0};
+    int16_t height[RUN];
     if (p->share > 0)
         plb_paper_row(p, &g->sheet, at->x + from * at->step, at->y, at->step, n, height);
-    for (int i = 0; i < n; i++)
-        field[i] = (int16_t)((field[i] * g->weight_field + height[i] * g->weight_paper + (1 << (SHARE_BITS - 1))) >> SHARE_BITS);
+    else
+        memset(height, 0, sizeof height);
+    for (int b = 0; b < n; b += BLOCK)
+        for (int i = b; i < b + BLOCK; i++)
+            field[i] = (int16_t)((field[i] * g->weight_field + height[i] * g->weight_paper + (1 << (SHARE_BITS - 1))) >> SHARE_BITS);
 }
 
 static void write_darkness(const grain *g, int n, const int16_t level[RUN], const int16_t field[RUN], uint8_t *out)
 {
     const grain_tables *t = g->pencil->grain;
+    const int8_t *bend = g->bend + 128;
+    const uint32_t depth = g->depth;
     for (int i = 0; i < n; i++) {
-        int f = field[i] < -128 ? -128 : field[i] > 127 ? 127 : field[i];
-        int z = f + ((g->bend[f + 128] * t->share[level[i]]) >> 8) + 128;
-        z = z < 0 ? 0 : z > 255 ? 255 : z;
-        uint32_t d = (g->depth * t->darkness[level[i]][z >> 1] + (1u << 19)) >> 20;
+        int m = level[i], f = field[i] + 128;
+        f = within(f, 255) - 128;
+        int z = within(f + ((bend[f] * t->at_level[m].share) >> 8) + 128, 255);
+        uint32_t d = (depth * t->darkness[t->at_level[m].row][z >> 1] + (1u << 19)) >> 20;
         out[i] = (uint8_t)(d > 255 ? 255 : d);
     }
 }

@@ -510,7 +510,7 @@ static void strokes_share_the_paper(void)
 /* Heights are normal, mean 0 and variance 1, and correlate as said, alike in both directions. */
 static void heights_are_as_said(void)
 {
-    enum { N = 120, ROWS = 400 };
+    enum { N = 64, ROWS = 800 };
     static int16_t h[ROWS][N];
     for (int kind = PAPER_SMOOTH; kind <= PAPER_ROUGH; kind++) {
         setup s = prepare_on((paper_kind)kind);
@@ -541,7 +541,7 @@ static void heights_do_not_depend_on_the_page(void)
     setup s = prepare_on(PAPER_MEDIUM);
     const paper *p = &s.pencil->grain->paper;
     paper_sheet sheet = plb_paper_sheet(1), other = plb_paper_sheet(2);
-    int16_t usual[60], fine[120], elsewhere[60];
+    int16_t usual[64], fine[128], elsewhere[64];
     double mm = MM_PER_PAPER_PX;
     plb_paper_row(p, &sheet, 40.5 * mm, 77.5 * mm, mm, 60, usual);
     plb_paper_row(p, &sheet, 40.25 * mm, 77.75 * mm, mm / 2, 120, fine);
@@ -549,6 +549,12 @@ static void heights_do_not_depend_on_the_page(void)
     for (int i = 0; i < 60; i++)
         CHECK(usual[i] == fine[2 * i] && usual[i] == fine[2 * i + 1]);
     CHECK(memcmp(usual, elsewhere, sizeof usual) != 0);
+    int16_t coarse[40], single[8];
+    plb_paper_row(p, &sheet, 40.5 * mm, 77.5 * mm, 5 * mm, 40, coarse); /* farther than a tile is broad */
+    for (int i = 0; i < 40; i++) {
+        plb_paper_row(p, &sheet, (40.5 + 5 * i) * mm, 77.5 * mm, mm, 1, single);
+        CHECK(coarse[i] == single[0]);
+    }
     clean(&s);
 }
 
