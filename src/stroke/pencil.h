@@ -24,6 +24,7 @@
 #define GRAIN_LEVEL_UNIT 180  /* steps of a level in the end: 1.4 fits a byte */
 #define GRAIN_RELATIVE_UNIT 4096 /* steps of relative darkness */
 #define DARKNESS_ROWS 96      /* small enough to stay in the nearest cache */
+#define DARKNESS_SCALES 4
 #define ROUGH_CLASSES 32      /* of roughness, in equal steps of its logarithm … */
 #define ROUGH_LOG_STEP 0.04   /* … about 1 */
 
@@ -38,7 +39,9 @@ typedef struct {
         uint8_t share; /* how much of that difference holds, of 256 */
         uint8_t row;   /* of the table of darkness: close together where little is expected */
     } at_level[256];
-    uint16_t darkness[DARKNESS_ROWS][128]; /* relative darkness by row and half the score's steps */
+    /* Relative darkness by row and half the score's steps: of a pixel of 1/300 inch, and of pixels two, three and four
+     * times as broad, whose score is that of their mean. */
+    uint16_t darkness[DARKNESS_SCALES][DARKNESS_ROWS][128];
     double reach;                    /* px of the reference width from the centreline: farther there is nothing */
     float chain_high, chain_low;     /* the profile's, farther apart to make up for the paper, which does not join in */
     paper paper;

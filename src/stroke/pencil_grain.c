@@ -121,7 +121,42 @@ static void tabulate_darkness(grain_tables *t, const grain_model *g)
     }
     for (int row = 0; row < DARKNESS_ROWS; row++)
         if (n[row] > 0)
-            fill_row(g, sum[row] / n[row], t->darkness[row]);
+            fill_row(g, sum[row] / n[row], t->darkness[0][row]);
+}
+
+/* A coarse pixel is the mean of several fine ones. Their scores have a common part, that of the pixel, and one of their
+ * own; what the pixel is to be expected to have, given the common part, is the fine table's mean over the other. So mean and
+ * (but for the table's bends) variance are those of the mean of fine pixels. */
+#define OWN_PARTS 8     /* values, of equal share, that stand for the distribution of the own part */
+#define CORRELATION 0.35 /* of a fine pixel with the next, about, in all pencils */
+
+static double common_part(int pixels)
+{
+    double along = (1 + 2 * (1 - 1.0 / pixels) * CORRELATION) / pixels; /* of the mean of so many in a row: its variance */
+    return along;                                                       /* the root of that of their square's */
+}
+
+static void smooth_row(const grain_tables *t, const uint16_t fine[128], double common, uint16_t out[128])
+{
+    double own[OWN_PARTS];
+    for (int j = 0; j < OWN_PARTS; j++)
+        own[j] = sqrt(1 - common * common) * (double)t->normal[(2 * j + 1) * GRAIN_NORMALS / (2 * OWN_PARTS)] * (FIELD_UNIT / 2.0);
+    for (int k = 0; k < 128; k++) {
+        double sum = 0, middle = 63.75 + (k - 63.75) * common;
+        for (int j = 0; j < OWN_PARTS; j++) {
+            double at = clamp(middle + own[j], 0, 127);
+            int i = at < 127 ? (int)at : 126;
+            sum += fine[i] + (fine[i + 1] - fine[i]) * (at - i);
+        }
+        out[k] = (uint16_t)(sum / OWN_PARTS + 0.5);
+    }
+}
+
+static void tabulate_coarse_darkness(grain_tables *t)
+{
+    for (int scale = 1; scale < DARKNESS_SCALES; scale++)
+        for (int row = 0; row < DARKNESS_ROWS; row++)
+            smooth_row(t, t->darkness[0][row], common_part(scale + 1), t->darkness[scale][row]);
 }
 
 static int16_t to_short(double v)
@@ -171,6 +206,7 @@ bool plb_pencil_tabulate_grain(pencil *p, paper_kind on)
         return false;
     tabulate_scores(t, g);
     tabulate_darkness(t, g);
+    tabulate_coarse_darkness(t);
     tabulate_section(t, g);
     plb_pencil_tabulate_noise(t, g);
     plb_pencil_tabulate_slow(t, g);

@@ -474,7 +474,7 @@ bool plb_strip_map(const shading *s, const map_page *page, const path_samples *p
     m.s = &within;
     m.strip_px = s->dpi / page->dpi;
     m.page_mm = MM_PER_INCH / page->dpi;
-    double n = floor(m.strip_px + 0.5); /* as dense as the texture, nearly */
+    double n = s->whole_pixels ? 1 : floor(m.strip_px + 0.5); /* as dense as the texture, nearly */
     m.samples = n < 1 ? 1 : n > MOST_SAMPLES ? MOST_SAMPLES : (int)n;
     m.divisor = (uint32_t)(((1 << 18) + m.samples * m.samples - 1) / (m.samples * m.samples));
     m.half_width = within.half_width / m.strip_px;

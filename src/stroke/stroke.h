@@ -151,6 +151,7 @@ typedef struct {
     double half_width; /* px: farther across there is none */
     double beyond;     /* px: how far it reaches beyond the ends of an open line */
     double dpi;        /* of its pixels */
+    bool whole_pixels; /* a sample stands for a whole pixel of the page, however coarse that is */
 } shading;
 
 /* The papers' strip as such a texture (bilinear between its pixels). */
@@ -202,6 +203,8 @@ typedef struct {
     uint32_t depth;          /* 255 - grey of the line's middle, in 1/256 */
     float narrow;            /* px at the pencil's mean width per px across: this line's own width */
     float half_width, half_reference; /* half the mean width and half the profile's, px: inside places stretch, outside not */
+    const void *darkness;    /* the pencil's table for pixels of the page's size */
+    int32_t foot;            /* a third of a coarse pixel, in steps of place; 0: the page is not coarse */
     float ragged;            /* px by which a point may look beside its own pixel of the field, on finer pages */
     float cap_first, cap_last; /* radius of the round caps at corners, px; 0: none */
     paper_sheet sheet;
@@ -221,6 +224,10 @@ typedef struct {
 
 /* Fills `g` for a stroke of `length_px` (of 1/300 inch, as the whole grain is). Needs a profile with a grain. */
 bool plb_grain_make(grain *g, double length_px, grain_ends ends, const pencil *p, uint64_t seed, uint64_t identity, error *err);
+/* Pages coarser than this have pixels of several of the field, as far down as that; still coarser ones, means of samples. */
+#define GRAIN_COARSE_DPI 200.0
+#define GRAIN_COARSEST_DPI 67.0
+
 /* As a texture of `dpi` px per inch for a page of `page_dpi`. */
 shading plb_grain_shading(grain *g, double dpi, double page_dpi);
 

@@ -126,6 +126,22 @@ static void gather(const grain *g, const run *r, int16_t level[RUN], int16_t fie
     }
 }
 
+/* On a coarse page: what is expected is the mean over the pixel, across the line. */
+static void gather_coarse(const grain *g, const run *r, int16_t level[RUN], int16_t field[RUN])
+{
+    for (int i = 0; i < r->n; i++) {
+        size_t column = (size_t)r->column[i];
+        const uint8_t *l = g->level + (column + GRAIN_KNOT / 2) / GRAIN_KNOT * GRAIN_PLACES_PADDED;
+        int sum = 0;
+        for (int k = -1; k <= 1; k++) {
+            int place = within(r->place[i] + k * g->foot, PLACE_LAST), w = place & 255;
+            sum += l[place >> 8] * 256 + (l[(place >> 8) + 1] - l[place >> 8]) * w;
+        }
+        level[i] = (int16_t)((sum * 85 + (1 << 15)) >> 16); /* a third of a 256th */
+        field[i] = g->field[column * (size_t)g->stride + (size_t)r->row[i]];
+    }
+}
+
 static void press(const grain *g, const run *r, int16_t level[RUN])
 {
     for (int i = 0; i < r->n; i++)
@@ -150,12 +166,13 @@ static void write_darkness(const grain *g, int n, const int16_t level[RUN], cons
 {
     const grain_tables *t = g->pencil->grain;
     const int8_t *bend = g->bend + 128;
+    const uint16_t(*darkness)[128] = (const uint16_t(*)[128])g->darkness;
     const uint32_t depth = g->depth;
     for (int i = 0; i < n; i++) {
         int m = level[i], f = field[i] + 128;
         f = within(f, 255) - 128;
         int z = within(f + ((bend[f] * t->at_level[m].share) >> 8) + 128, 255);
-        uint32_t d = (depth * t->darkness[t->at_level[m].row][z >> 1] + (1u << 19)) >> 20;
+        uint32_t d = (depth * darkness[t->at_level[m].row][z >> 1] + (1u << 19)) >> 20;
         out[i] = (uint8_t)(d > 255 ? 255 : d);
     }
 }
@@ -170,7 +187,10 @@ static void shade_run(const grain *g, const sample_row *at, int from, int n, uin
         locate_run(g, at, from, &r);
     else
         locate_one_by_one(g, at, from, &r);
-    gather(g, &r, level, field);
+    if (g->foot > 0)
+        gather_coarse(g, &r, level, field);
+    else
+        gather(g, &r, level, field);
     if (r.column[0] < g->plain_first || r.column[0] > g->plain_last || r.column[n - 1] < g->plain_first || r.column[n - 1] > g->plain_last)
         press(g, &r, level);
     lay_on_paper(g, at, from, n, field);
@@ -183,10 +203,19 @@ static void shade(const void *texture, const sample_row *at, uint8_t *out)
         shade_run(texture, at, i, at->n - i < RUN ? at->n - i : RUN, out + i);
 }
 
+/* A page between COARSEST and COARSE: a sample stands for a pixel. */
+static double pixels_of(double dpi, double page_dpi)
+{
+    return page_dpi <= GRAIN_COARSE_DPI && page_dpi >= GRAIN_COARSEST_DPI ? dpi / page_dpi : 0;
+}
+
 shading plb_grain_shading(grain *g, double dpi, double page_dpi)
 {
+    double side = pixels_of(dpi, page_dpi), beyond = (double)(g->cap_first > g->cap_last ? g->cap_first : g->cap_last);
+    int scale = side > 0 ? within((int)(side + 0.5), DARKNESS_SCALES) - 1 : 0;
     g->ragged = page_dpi > GRAIN_RAGGED_DPI ? 0.5f : 0;
-    double beyond = (double)(g->cap_first > g->cap_last ? g->cap_first : g->cap_last);
-    shading r = {g, shade, false, g->rows / 2 + 0.5, beyond, dpi};
+    g->foot = (int32_t)(side / 3 * (double)(g->narrow * PLACE_UNIT));
+    g->darkness = g->pencil->grain->darkness[scale];
+    shading r = {g, shade, false, g->rows / 2 + 0.5 + side / 2, beyond, dpi, side > 0};
     return r;
 }

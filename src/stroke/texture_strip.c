@@ -46,6 +46,6 @@ void plb_strip_press(strip *s, double pressure)
 
 shading plb_strip_shading(const strip *s, double dpi)
 {
-    shading r = {s, row, true, (s->rows - 1) / 2.0, STRIP_MARGIN - 0.5, dpi};
+    shading r = {s, row, true, (s->rows - 1) / 2.0, STRIP_MARGIN - 0.5, dpi, false};
     return r;
 }
