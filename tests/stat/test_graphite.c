@@ -400,6 +400,47 @@ static void no_section_comes_again(void)
     clean(&s);
 }
 
+/* ---- coarse pages ---- */
+
+/* A pixel of a page of 100 dpi is the mean of nine of the field in mean and spread, and goes with it. */
+static void coarse_pixels_are_means_of_fine_ones(void)
+{
+    static const double asides[] = {0, 2.5, 5};
+    setup s = prepare_on(PAPER_MEDIUM);
+    for (size_t a = 0; a < sizeof asides / sizeof *asides; a++) {
+        double coarse = 0, fine = 0, coarse2 = 0, fine2 = 0, both = 0, n = 0, mm = MM_PER_PAPER_PX;
+        for (uint64_t id = 1; id <= 60; id++) {
+            CHECK(plb_grain_make(&s.grain, 300, NO_ENDS, s.pencil, 1, id, NULL));
+            for (int k = 0; k < 100; k++, n++) {
+                double x = 3 * k + 1.5, y = (double)id * 7.5, mean = 0;
+                uint8_t d;
+                for (int i = 0; i < 9; i++) {
+                    shading usual = plb_grain_shading(&s.grain, 300, 300);
+                    sample_row at = {1, x + i % 3 - 1, 1, asides[a] + i / 3 - 1, 0, (x + i % 3 - 1) * mm, (y + i / 3 - 1) * mm, mm};
+                    usual.row(usual.texture, &at, &d);
+                    mean += d / 9.0;
+                }
+                shading whole = plb_grain_shading(&s.grain, 300, 100);
+                sample_row at = {1, x, 3, asides[a], 0, x * mm, y * mm, 3 * mm};
+                CHECK(whole.whole_pixels);
+                whole.row(whole.texture, &at, &d);
+                coarse += d;
+                fine += mean;
+                coarse2 += d * d;
+                fine2 += mean * mean;
+                both += d * mean;
+            }
+        }
+        coarse /= n;
+        fine /= n;
+        double coarse_sd = sqrt(coarse2 / n - coarse * coarse), fine_sd = sqrt(fine2 / n - fine * fine);
+        CHECK_RANGE(coarse - fine, -2, 2);
+        CHECK_RANGE(coarse_sd / fine_sd, 0.75, 1.35);
+        CHECK_RANGE((both / n - coarse * fine) / (coarse_sd * fine_sd), 0.25, 1);
+    }
+    clean(&s);
+}
+
 /* ---- pressure ---- */
 
 /* Of lines of one pressure: mean darkness on the axis, width at half depth, spread of darkness on the axis relative to its
@@ -601,6 +642,7 @@ int main(void)
     RUN(vectors_and_numbers_one_by_one_agree);
     RUN(rows_and_single_samples_agree);
     RUN(no_section_comes_again);
+    RUN(coarse_pixels_are_means_of_fine_ones);
     RUN(pressure_darkens_broadens_and_fills);
     RUN(pressure_changes_along_the_line);
     RUN(strokes_share_the_paper);
