@@ -45,16 +45,17 @@ static double pressure_of(const stroke *s, const stroke_options *o)
  * in lettering it stands still at both ends. */
 static grain_ends ends_of(const path_samples *path, const stroke *s, const stroke_options *o)
 {
+    bool careful = s->touch.kind == STROKE_LETTER;
     double pressure = pressure_of(s, o);
     float first = (float)(pressure * (double)path->pressure_first), last = (float)(pressure * (double)path->pressure_last);
     grain_end free_first = path->backward ? GRAIN_LEAVE : GRAIN_START, free_last = path->backward ? GRAIN_START : GRAIN_LEAVE;
     if (path->closed)
-        return (grain_ends){GRAIN_JOINT, GRAIN_JOINT, first, last};
+        return (grain_ends){GRAIN_JOINT, GRAIN_JOINT, first, last, careful};
     if (s->touch.kind == STROKE_HATCH)
         free_first = free_last = GRAIN_LEAVE;
-    if (s->touch.kind == STROKE_LETTER)
+    if (careful)
         free_first = free_last = GRAIN_START;
-    return (grain_ends){s->corner_first ? GRAIN_CORNER : free_first, s->corner_last ? GRAIN_CORNER : free_last, first, last};
+    return (grain_ends){s->corner_first ? GRAIN_CORNER : free_first, s->corner_last ? GRAIN_CORNER : free_last, first, last, careful};
 }
 
 bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, patch_sink sink,

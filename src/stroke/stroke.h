@@ -217,6 +217,7 @@ typedef enum { GRAIN_START, GRAIN_LEAVE, GRAIN_CORNER, GRAIN_JOINT } grain_end;
 typedef struct {
     grain_end first, last;
     float pressure_first, pressure_last; /* times the usual, changing evenly between the ends; 0: usual */
+    bool careful;                        /* as in lettering: a fine point, and strokes more alike */
 } grain_ends;
 
 /* Pages finer than this show single pixels of the field: their edges are broken up. */

@@ -104,7 +104,12 @@ static double normal_at(const grain_tables *t, uint64_t key, uint64_t index)
 #define DEPTH_SPREAD 0.35
 #define WIDTH_SPREAD 0.24
 
-static line_figures draw_line(const pencil *p, uint64_t key)
+/* Who letters, turns the pencil to a fine point and takes care: strokes are narrower, darker and more alike (by eye). */
+#define CAREFUL_WIDTH 0.72
+#define CAREFUL_DEPTH 1.12
+#define CAREFUL_SPREAD 0.4
+
+static line_figures draw_line(const pencil *p, bool careful, uint64_t key)
 {
     const grain_model *g = &p->profile->grain;
     double x[GRAIN_LINE], n[GRAIN_LINE];
@@ -114,9 +119,11 @@ static line_figures draw_line(const pencil *p, uint64_t key)
         for (int j = 0; j <= i; j++)
             x[i] += g->line_factor[i][j] * n[j];
         double spread = i == 0 ? DEPTH_SPREAD : i == 1 ? WIDTH_SPREAD : HUGE_VAL;
-        x[i] = g->line_mean[i] + clamp(x[i], -spread, spread);
+        x[i] = g->line_mean[i] + clamp(x[i], -spread, spread) * (careful ? CAREFUL_SPREAD : 1);
     }
     line_figures f = {clamp(exp(x[0]), 1, 254), clamp(exp(x[1]), 0.5, 200), x[2], x[3], x[4], {0}};
+    f.depth = careful ? fmin(f.depth * CAREFUL_DEPTH, 254) : f.depth;
+    f.width *= careful ? CAREFUL_WIDTH : 1;
     for (int i = 0; i < GRAIN_MODES; i++)
         f.mode[i] = g->mode_is_odd[i] ? sqrt(g->mode_between[i]) * normal_at(p->grain, key, (uint64_t)(GRAIN_LINE + i)) : x[5 + i];
     return f;
@@ -377,7 +384,7 @@ bool plb_grain_make(grain *g, double length_px, grain_ends ends, const pencil *p
         return plb_fail(err, ERROR_ARGUMENT, "the pencil '%s' was captured without its grain; --model hla draws with it", p->profile->name);
     if (!(length_px <= COLUMNS_MAX))
         return plb_fail(err, ERROR_LIMIT, "a stroke is too long");
-    line_figures f = draw_line(p, random_key(seed, identity, PURPOSE_LINE));
+    line_figures f = draw_line(p, ends.careful, random_key(seed, identity, PURPOSE_LINE));
     g->pencil = p;
     press(g, &f, sqrt(usual_or((double)ends.pressure_first) * usual_or((double)ends.pressure_last)));
     set_line(g, &f, ends);

@@ -11,7 +11,7 @@
 #include "stat/pencil_for_tests.h"
 #include "stroke/pencil.h"
 
-static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT, 1, 1}, FORWARD = {GRAIN_START, GRAIN_LEAVE, 1, 1}, BACKWARD = {GRAIN_LEAVE, GRAIN_START, 1, 1};
+static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT, 1, 1, false}, FORWARD = {GRAIN_START, GRAIN_LEAVE, 1, 1, false}, BACKWARD = {GRAIN_LEAVE, GRAIN_START, 1, 1, false};
 
 #define DEPTH 90.0
 #define WIDTH 6.0
@@ -274,7 +274,7 @@ static void closed_strokes_have_no_seam(void)
 static void corners_are_filled(void)
 {
     setup s = prepare();
-    const grain_ends corners = {GRAIN_CORNER, GRAIN_CORNER, 1, 1};
+    const grain_ends corners = {GRAIN_CORNER, GRAIN_CORNER, 1, 1, false};
     double before = 0, at = 0, beyond = 0, beside = 0;
     for (uint64_t id = 1; id <= 300; id++) {
         CHECK(plb_grain_make(&s.grain, 60, corners, s.pencil, 1, id, NULL));
@@ -452,7 +452,7 @@ typedef struct {
 static pressed lines_of_pressure(setup *s, float first, float last)
 {
     double section[13] = {0}, squares = 0, n = 0;
-    const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, first, last};
+    const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, first, last, false};
     for (uint64_t id = 1; id <= 60; id++) {
         CHECK(plb_grain_make(&s->grain, 200, ends, s->pencil, 1, id, NULL));
         for (int x = 0; x < 200; x++, n++) {
@@ -485,11 +485,30 @@ static void pressure_darkens_broadens_and_fills(void)
     clean(&s);
 }
 
+/* Lettering's strokes are narrower and darker. */
+static void lettering_has_a_fine_point(void)
+{
+    setup s = prepare();
+    double middle[2] = {0, 0}, flank[2] = {0, 0};
+    for (int k = 0; k < 2; k++)
+        for (uint64_t id = 1; id <= 40; id++) {
+            const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, 1, 1, k == 1};
+            CHECK(plb_grain_make(&s.grain, 200, ends, s.pencil, 1, id, NULL));
+            for (int x = 0; x < 200; x++) {
+                middle[k] += sample(&s.grain, x + 0.5, 0);
+                flank[k] += sample(&s.grain, x + 0.5, WIDTH / 2);
+            }
+        }
+    CHECK_RANGE(middle[1] / middle[0], 1.05, 1.2);
+    CHECK(flank[1] < flank[0] * 0.8);
+    clean(&s);
+}
+
 /* Along a line whose pressure changes the darkness does. */
 static void pressure_changes_along_the_line(void)
 {
     setup s = prepare();
-    const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, 0.6f, 1.2f};
+    const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, 0.6f, 1.2f, false};
     double early = 0, late = 0;
     for (uint64_t id = 1; id <= 100; id++) {
         CHECK(plb_grain_make(&s.grain, 400, ends, s.pencil, 1, id, NULL));
@@ -644,6 +663,7 @@ int main(void)
     RUN(no_section_comes_again);
     RUN(coarse_pixels_are_means_of_fine_ones);
     RUN(pressure_darkens_broadens_and_fills);
+    RUN(lettering_has_a_fine_point);
     RUN(pressure_changes_along_the_line);
     RUN(strokes_share_the_paper);
     RUN(heights_are_as_said);
