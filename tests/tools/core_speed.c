@@ -70,7 +70,7 @@ static bool trace(bench *b, const stroke *s)
 
 static bool map(bench *b, const stroke *s)
 {
-    shading plain = {NULL, plain_row, false, 9.5, 0, PAPER_PX_PER_INCH, false}; /* as wide as the usual pencils */
+    shading plain = {.row = plain_row, .whole_pixels = true, .half_width = 9.5, .dpi = PAPER_PX_PER_INCH}; /* as wide as the usual pencils */
     map_page rows = {.dpi = b->tools.stroke.dpi};
     return trace(b, s) && plb_strip_map(&plain, &rows, &b->scratch.path, false, &b->scratch.map, throw_away, NULL);
 }

@@ -81,7 +81,7 @@ static bool write_band(void *closure, const page *band, error *err)
 static void time_strokes(const plb_drawing *d, const drawing_tools *t, double *arm, double *map)
 {
     stroke_scratch scratch = {0};
-    shading plain = {NULL, plain_row, false, 9.5, 0, PAPER_PX_PER_INCH};
+    shading plain = {.row = plain_row, .whole_pixels = true, .half_width = 9.5, .dpi = PAPER_PX_PER_INCH};
     map_page rows = {.dpi = t->stroke.dpi};
     for (int with_map = 0; with_map < 2; with_map++) {
         double start = now();
