@@ -11,9 +11,10 @@
 
 /* Deposits are natural densities in this unit: 65535 of them are a density of 16, which is darkness to 1e-7. */
 #define DEPOSIT_UNIT (1.0 / 4096)
-/* How much darker than a single stroke's darkest pixels graphite laid over graphite gets, in grey levels (solid
- * patches of one scanned pencil have a mean of 80 where its lines' darkest hundredth is 96 to 116). */
-#define BELOW_DARKEST 20
+/* How much darker than a single stroke's darkest pixels graphite laid over graphite can get, in grey levels: the darkest
+ * hundredth of solid patches of one scanned pencil is 63 to 84 where that of its lines is 96 to 116. The limit of many
+ * layers lies below what a few come to (chosen by eye within that). */
+#define BELOW_DARKEST 40
 /* Graphite shines: it is never black (natural graphite reflects; darkest patch pixels scanned are about 60). */
 #define DARKEST_POSSIBLE 24
 
