@@ -11,14 +11,16 @@ AR      = ar
 BUILD   = release
 V       = 0
 
-flags_release = -O2 -DNDEBUG
+flags_release = -O2 -DNDEBUG -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2
 flags_debug   = -O0 -g3
 flags_asan    = -O1 -g -fsanitize=address -fno-omit-frame-pointer
 flags_ubsan   = -O1 -g -fsanitize=undefined -fno-sanitize-recover=all
 flags_tsan    = -O1 -g -fsanitize=thread
 flags_cover   = -O0 -g --coverage
+flags_failing = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -DPLB_TEST_ALLOCATIONS
+flags_fuzz    = -O1 -g -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all -include tests/fuzz/short_runs.h
 ifeq ($(origin flags_$(BUILD)),undefined)
-$(error BUILD=$(BUILD) is not one of release debug asan ubsan tsan cover)
+$(error BUILD=$(BUILD) is not one of release debug asan ubsan tsan cover failing fuzz)
 endif
 
 # ---- nothing to change below ------------------------------------------------------------------------------
@@ -34,7 +36,9 @@ WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 CFLAGS_ALL = -std=c17 $(WARN) -fPIC -ffp-contract=off -fvisibility=hidden -MMD -MP $(flags_$(BUILD)) \
              -D_POSIX_C_SOURCE=200809L -DPLB_VERSION='"$(VERSION)"' -DPLB_LIBEXECDIR='"$(PREFIX)/libexec/plumbago"' \
              -Isrc $(CFLAGS)
-LDFLAGS_ALL = $(filter -fsanitize=% --coverage,$(flags_$(BUILD))) $(LDFLAGS)
+# Position-independent programs whose tables of addresses are read-only before the first line runs, no code on the stack.
+LDFLAGS_release = -pie -Wl,-z,relro,-z,now,-z,noexecstack
+LDFLAGS_ALL = $(filter -fsanitize=% --coverage,$(flags_$(BUILD))) $(LDFLAGS_$(BUILD)) $(LDFLAGS)
 
 # The inner loops of the texture are written for the compiler's vectors.
 CFLAGS_stroke = $(if $(filter release,$(BUILD)),-O3)
@@ -48,7 +52,8 @@ c_tools  = $(wildcard tests/tools/*.c)
 examples_c = $(wildcard examples/*.c)
 
 programs = $(O)/plumbago $(O)/plumbago-profile $(O)/tap-svg $(O)/tap-dxf
-tests_bin = $(c_tests:tests/%.c=$(O)/tests/%) $(c_tools:tests/%.c=$(O)/tests/%)
+fuzzers  = $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
+tests_bin = $(c_tests:tests/%.c=$(O)/tests/%) $(c_tools:tests/%.c=$(O)/tests/%) $(fuzzers:%=$(O)/tests/fuzz/fuzz_%)
 
 .PHONY: all
 all: $(programs) $(O)/libplumbago.a
@@ -96,17 +101,37 @@ $(O)/tests/%: tests/%.c $(O)/libplumbago.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS_ALL) -UNDEBUG -Itests $(shell pkg-config --cflags $(packages_lib)) $< $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) $(LIBS_$(notdir $@)) -lm -pthread -o $@
 
+tool_parts = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tool/plumbago.c src/tool/plumbago_profile.c,$(wildcard src/tool/*.c)))
+# A harness and what calls it: once for each file that is kept, or libFuzzer.
+link_harness = $(Q)mkdir -p $(@D) && $(CC) $(CFLAGS_ALL) -UNDEBUG -Itests/fuzz $(shell pkg-config --cflags $(packages_lib)) $(filter %.c %.o %.a,$^) $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
+$(O)/tests/fuzz/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/replay.c tests/fuzz/fuzz.h $(tool_parts) $(O)/libplumbago.a
+	$(say) LINK $@
+	$(link_harness)
+$(O)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(tool_parts) $(O)/libplumbago.a
+	$(say) LINK $@
+	$(link_harness) -fsanitize=fuzzer
+
 LIBS_tap_replay = $(shell pkg-config --libs cairo-script-interpreter 2>/dev/null || echo -lcairo-script-interpreter)
 
 # ---- tests ------------------------------------------------------------------------------------------------
 # `make check` runs what takes minutes; TESTS= picks some.
-TESTS = $(c_tests:tests/%.c=$(O)/tests/%) $(wildcard tests/cli/*.sh tests/rules/*.sh tests/image/*.sh tests/stage/*.sh) $(filter-out tests/check.sh,$(wildcard tests/*.sh))
+TESTS = $(c_tests:tests/%.c=$(O)/tests/%) $(wildcard tests/cli/*.sh tests/rules/*.sh tests/image/*.sh tests/stage/*.sh tests/fuzz/*.sh) $(filter-out tests/check.sh,$(wildcard tests/*.sh))
 
 .PHONY: check check-only
 check: packages-check
 	+$(Q)$(MAKE) --no-print-directory check-only
 check-only: all $(tests_bin) examples
 	$(Q)tests/run $(O) $(TESTS)
+
+# The build in which a test decides which allocations fail (tests/allocations.sh).
+.PHONY: failing
+failing: $(O)/tests/failing/test_allocations
+
+# Fuzzers, to be run as long as one likes: build/fuzz/fuzz_NAME tests/fuzz/corpus-NAME
+.PHONY: fuzz fuzz-programs
+fuzz:
+	+$(Q)$(MAKE) --no-print-directory BUILD=fuzz CC=clang fuzz-programs
+fuzz-programs: $(fuzzers:%=$(O)/fuzz_%)
 
 .PHONY: asan ubsan tsan
 asan ubsan tsan:
@@ -127,6 +152,7 @@ demo-pictures: all
 # ---- packages (Debian) ------------------------------------------------------------------------------------
 packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libxml2-dev fonts-dejavu-core poppler-utils ghostscript python3-ezdxf
 packages_tests = librsvg2-bin clang g++ mandoc strace locales unzip
+packages_tests += libclang-rt-14-dev util-linux # for the fuzzers, and for writes that fail
 
 .PHONY: packages packages-check
 packages:
@@ -186,6 +212,7 @@ help:
 	@echo 'make            programs and library, in build/release'
 	@echo 'make demo       installs the packages that are missing, builds, draws a drawing with eight pencils'
 	@echo 'make check      installs the packages that are missing, builds, runs all tests'
+	@echo 'make fuzz       fuzzers of the readers, in build/fuzz (clang)'
 	@echo 'make bench      speed, as ratios to rsvg-convert'
 	@echo 'make figures    the figures of the papers, in build/figures'
 	@echo 'make fidelity   do drawings show what the print shows? a table and contact sheets'
@@ -193,6 +220,6 @@ help:
 	@echo 'make profiles   captures the eight pencils anew, where the scans are at hand'
 	@echo 'make install    to $$(DESTDIR)$$(PREFIX); uninstall takes it away'
 	@echo 'make clean      removes build/'
-	@echo 'BUILD=release|debug|asan|ubsan|tsan|cover   CC=gcc|clang   V=1: show the commands'
+	@echo 'BUILD=release|debug|asan|ubsan|tsan|cover|failing|fuzz   CC=gcc|clang   V=1: show the commands'
 
 -include $(lib_obj:.o=.d) $(wildcard $(O)/tool/*.d $(O)/*.d $(O)/tests/*/*.d)

@@ -4,6 +4,14 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+/* The test build for failing allocations: the test says which of them succeeds. */
+#ifdef PLB_TEST_ALLOCATIONS
+__attribute__((weak)) bool plb_test_may_allocate(void);
+#define MAY_ALLOCATE (!plb_test_may_allocate || plb_test_may_allocate())
+#else
+#define MAY_ALLOCATE true
+#endif
+
 bool plb_array_grow(void **v, size_t n, size_t *room, size_t extra, size_t size)
 {
     if (extra <= *room - n)
@@ -14,7 +22,7 @@ bool plb_array_grow(void **v, size_t n, size_t *room, size_t extra, size_t size)
     size_t next = want > twice ? want : twice;
     if (next < 8)
         next = 8;
-    void *p = realloc(*v, next * size);
+    void *p = MAY_ALLOCATE ? realloc(*v, next * size) : NULL;
     if (!p)
         return false;
     *v = p;
@@ -24,7 +32,7 @@ bool plb_array_grow(void **v, size_t n, size_t *room, size_t extra, size_t size)
 
 void *plb_new(size_t n, size_t size)
 {
-    return calloc(n ? n : 1, size);
+    return MAY_ALLOCATE ? calloc(n ? n : 1, size) : NULL;
 }
 
 void plb_free(void *p)

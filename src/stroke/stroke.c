@@ -81,7 +81,7 @@ bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_opti
         texture = plb_strip_shading(&scratch->strip, dpi);
     }
     map_page page = {o->dpi, o->clip_top, o->clip_foot};
-    return plb_strip_map(&texture, &page, path, path->closed, &scratch->map, sink, closure);
+    return plb_strip_map(&texture, &page, path, path->closed, &scratch->map, sink, closure) || plb_fail_memory(err);
 }
 
 bool plb_stroke_rows(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, int *top, int *foot,

@@ -513,6 +513,7 @@ static void keep_standard_descriptors(void)
 int main(int argc, char **argv)
 {
     keep_standard_descriptors();
+    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error like others */
     signal(SIGCHLD, SIG_DFL); /* whoever started us may ignore it: we want to know how the helper ended */
     settings s = {.o = plb_options_default(), .pencil = "HB", .dump = -1};
     int operands;

@@ -6,6 +6,7 @@
 #include "tool/options.h"
 
 #include <errno.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -268,6 +269,7 @@ static int run_command(settings *s, char **operands, int n)
 
 int main(int argc, char **argv)
 {
+    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error like others */
     settings s = {.capture = plb_capture_options_default()};
     int operands, status = EXIT_DONE;
     if (!options_parse(PROGRAM, table, TABLE_ROWS, argc, argv, &s, &operands))

@@ -1,0 +1,79 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Any bytes as a profile, as they are and with size and checksum set right (no fuzzer guesses those). One that is
+ * accepted draws a line with each model, and is the same after it is written and read again.
+ */
+#include "fuzz.h"
+
+#include "api/api_internal.h"
+#include "base/array.h"
+#include "profile/format.h"
+
+#include <cairo.h>
+#include <string.h>
+
+static void put(uint8_t *at, uint32_t value)
+{
+    for (int i = 0; i < 4; i++)
+        at[i] = (uint8_t)(value >> 8 * i);
+}
+
+static void draw_lines(profile *p)
+{
+    cairo_surface_t *page = cairo_image_surface_create(CAIRO_FORMAT_A8, 48, 24);
+    struct plb_profile holder = {.p = p};
+    plb_options o = plb_options_default();
+    o.profile = &holder;
+    o.dpi = 150;
+    for (o.model = PLB_MODEL_HLA;; o.model = PLB_MODEL_GRAPHITE) {
+        plb_error failed = {PLB_OK, ""};
+        bool good = plb_draw_line(page, 4, 10, 40, 14, 1, &o, &failed);
+        fuzz_require(good || failed.status != PLB_OK);
+        if (o.model == PLB_MODEL_GRAPHITE)
+            break;
+    }
+    cairo_surface_destroy(page);
+}
+
+static void write_and_read(profile *p)
+{
+    error err = {ERROR_NONE, ""};
+    size_t n1 = 0, n2 = 0;
+    unsigned char *first = plb_profile_serialise(p, &n1, &err);
+    fuzz_require(first != NULL);
+    profile *again = plb_profile_parse("fuzz again", first, n1, &err);
+    fuzz_require(again != NULL);
+    unsigned char *second = plb_profile_serialise(again, &n2, &err);
+    fuzz_require(second && n1 == n2 && !memcmp(first, second, n1));
+    plb_profile_release(again);
+    plb_free(first);
+    plb_free(second);
+}
+
+static void try(const uint8_t *data, size_t size)
+{
+    error err = {ERROR_NONE, ""};
+    profile *p = plb_profile_parse("fuzz", data, size, &err);
+    fuzz_require(p || err.kind != ERROR_NONE);
+    if (!p)
+        return;
+    write_and_read(p);
+    draw_lines(p);
+    plb_profile_release(p);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
+{
+    try(data, size);
+    if (size < FORMAT_HEADER_SIZE + FORMAT_TRAILER_SIZE)
+        return 0;
+    uint8_t *right = malloc(size);
+    fuzz_require(right != NULL);
+    memcpy(right, data, size);
+    put(right + FORMAT_MAGIC_SIZE + 4, (uint32_t)size);
+    put(right + size - FORMAT_TRAILER_SIZE, plb_crc32(right, size - FORMAT_TRAILER_SIZE));
+    if (memcmp(right, data, size))
+        try(right, size);
+    free(right);
+    return 0;
+}
