@@ -86,10 +86,10 @@ $(O)/plumbago $(O)/plumbago-profile:
 	$(Q)$(CC) $(LDFLAGS_ALL) $^ $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
 
 # The tap includes nothing of ours and links librsvg; the library does not.
-$(O)/tap-svg: src/tap/tap_svg.c
+$(O)/tap-svg: src/tap/tap_svg.c src/tap/tap_losses.c src/tap/tap_losses.h
 	$(say) LINK $@
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS_ALL) $(shell pkg-config --cflags $(packages_tap)) $< $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
+	$(Q)$(CC) $(CFLAGS_ALL) $(shell pkg-config --cflags $(packages_tap)) $(filter %.c,$^) $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
 
 # The other tap is a script around the library ezdxf.
 $(O)/tap-dxf: src/tap/tap_dxf.py

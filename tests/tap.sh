@@ -32,8 +32,8 @@ tap "a box far to the left" 0 <<<"$root width='100' height='100'><rect x='-1e5' 
 tap "an L-shape in a pattern" 0 <<<"$root width='100' height='100'><pattern id='p' width='.2' height='.2'>$corner</pattern><rect width='90' height='90' fill='url(#p)'/></svg>"
 has "the pattern's fill is there" 'fill+'
 tap "a clip path in box units" 0 <<<"$root width='100' height='100'><clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='.5' height='.5'/></clipPath><circle r='50' clip-path='url(#c)'/></svg>"
-tap "images, masks and filters are counted" 0 <<<"$root width='100' height='100'><image width='9' height='9'/><g mask=\"url(#m)\"/><g style='filter:url(#f)'/><g filter=\"url(#f)\"/></svg>"
-has "one image, one mask, two filters" '^%%Plumbago-tap .* 1 1 2$'
+tap "images, masks and filters are counted" 0 <<<"$root width='100' height='100'><mask id='m'/><filter id='f'/><image width='9' height='9'/><g mask=\"url(#m)\">$corner</g><g style='filter:url(#f)'>$corner</g><g filter=\"url(#f)\">$corner</g></svg>"
+has "one image, one mask, two filters" "^%%Plumbago-tap .* 1 1 2 0$"
 tap "no size: that of what is drawn" 0 <<<"$root><path d='M30 30h60v96h-60' fill='none' stroke='red' stroke-width='.001'/></svg>"
 has "the extents" '^%%Plumbago-tap 1 15.87[45][0-9]* 25.4'
 gzip -c <<<"$root width='9' height='9'>$corner</svg>" >packed

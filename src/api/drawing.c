@@ -35,13 +35,9 @@ static bool fit(display_list *list, const plb_options *o, error *err)
 /* Nothing is left out silently. */
 static void report_losses(const plb_drawing *d, const messenger *say)
 {
-    const char *name = d->name;
-    if (d->list.images)
-        plb_say(say, MESSAGE_WARNING, "%s: %lu raster image%s left out", name, d->list.images, d->list.images == 1 ? "" : "s");
-    if (d->list.masks)
-        plb_say(say, MESSAGE_WARNING, "%s: %lu mask%s ignored", name, d->list.masks, d->list.masks == 1 ? "" : "s");
+    plb_losses_report(&d->list.losses, d->name, say);
     if (d->strokes.strokes.n == 0)
-        plb_say(say, MESSAGE_WARNING, "%s: nothing in it leaves a mark: the page is empty", name);
+        plb_say(say, MESSAGE_WARNING, "%s: nothing in it leaves a mark: the page is empty", d->name);
 }
 
 static bool set_name(plb_drawing *d, const char *name, error *err)
@@ -66,6 +62,7 @@ static bool draw(plb_drawing *d, const input_source *in, const plb_options *o, e
         return false;
     plan_options how = plb_api_plan_options(o);
     error late = {ERROR_NONE, ""};
+    plb_list_count_losses(&d->list);
     if (!fit(&d->list, o, &late) || (plb_api_needs_tone(&d->list, &how) && !plb_api_measure_tone(o, &how, &late)) ||
         !plb_plan(&d->list, &how, &in->say, &d->strokes, &late))
         return plb_fail(err, late.kind, "%s: %s", d->name, late.text);

@@ -87,7 +87,13 @@ static const struct {
     const char *name;
     int code;
 } constants[] = {
-    {"CLEAR", CONST_NO_INK},          {"DEST", CONST_NO_INK},           {"DEST_IN", CONST_NO_INK},
+    {"CLEAR", CONST_NO_INK},          {"COLOR_BURN", CONST_BLEND},      {"COLOR_DODGE", CONST_BLEND},
+    {"DARKEN", CONST_BLEND},          {"DIFFERENCE", CONST_BLEND},      {"EXCLUSION", CONST_BLEND},
+    {"HARD_LIGHT", CONST_BLEND},      {"HSL_COLOR", CONST_BLEND},       {"HSL_HUE", CONST_BLEND},
+    {"HSL_LUMINOSITY", CONST_BLEND},  {"HSL_SATURATION", CONST_BLEND},  {"LIGHTEN", CONST_BLEND},
+    {"MULTIPLY", CONST_BLEND},        {"OVERLAY", CONST_BLEND},         {"SCREEN", CONST_BLEND},
+    {"SOFT_LIGHT", CONST_BLEND},
+    {"DEST", CONST_NO_INK},           {"DEST_IN", CONST_NO_INK},
     {"DEST_OUT", CONST_NO_INK},       {"EVEN_ODD", CONST_EVEN_ODD},     {"EXTEND_NONE", CONST_EXTEND_NONE},
     {"EXTEND_PAD", CONST_EXTEND_PAD}, {"EXTEND_REFLECT", CONST_EXTEND_REFLECT}, {"LINE_CAP_BUTT", CONST_BUTT},
     {"LINE_CAP_ROUND", CONST_ROUND},  {"LINE_CAP_SQUARE", CONST_SQUARE},
@@ -183,7 +189,7 @@ static bool run_token(script_state *s, const token *t)
 
 #define HEAD_MAX 400
 #define HEAD_WORD "%%Plumbago-tap 1"
-enum { HEAD_NUMBERS = 11 };
+enum { HEAD_PLACE = 8, HEAD_NUMBERS = 12 }; /* a page and a matrix; then counts, of which the last may be missing */
 
 /* The first line into `line`; the scanner is set to what follows. */
 static bool read_head_line(script_state *s, cairoscript_source *from, char line[HEAD_MAX], size_t *length)
@@ -209,21 +215,21 @@ static bool read_head(script_state *s, cairoscript_source *from)
 {
     char line[HEAD_MAX];
     size_t length;
-    double v[HEAD_NUMBERS];
+    double v[HEAD_NUMBERS] = {0};
     if (!read_head_line(s, from, line, &length))
         return false;
     const char *at = line + strlen(HEAD_WORD), *end = line + length;
     bool ok = length > strlen(HEAD_WORD) && !memcmp(line, HEAD_WORD, strlen(HEAD_WORD));
     for (int i = 0; ok && i < HEAD_NUMBERS; i++)
-        ok = at < end && *at == ' ' && plb_parse_number(at + 1, end, &v[i], &at) && isfinite(v[i]);
+        ok = (at == end && i == HEAD_NUMBERS - 1) || (at < end && *at == ' ' && plb_parse_number(at + 1, end, &v[i], &at) && isfinite(v[i]));
     if (!ok || !(v[0] > 0) || !(v[1] > 0))
-        return plb_fail(s->err, ERROR_SYNTAX, "its first line is not \"" HEAD_WORD "\" and %d numbers", HEAD_NUMBERS);
+        return plb_fail(s->err, ERROR_SYNTAX, "its first line is not \"" HEAD_WORD "\" and %d numbers", HEAD_NUMBERS - 1);
     s->page->width = v[0];
     s->page->height = v[1];
     memcpy(&s->to_page, v + 2, sizeof s->to_page);
-    s->page->images += (unsigned long)fmin(fmax(v[8], 0), 1e9);
-    s->page->masks += (unsigned long)fmin(fmax(v[9], 0), 1e9);
-    from->filters = (unsigned long)fmin(fmax(v[10], 0), 1e9);
+    static const loss_kind kinds[HEAD_NUMBERS - HEAD_PLACE] = {LOSS_IMAGE, LOSS_MASK, LOSS_FILTER, LOSS_FOREIGN};
+    for (int i = HEAD_PLACE; i < HEAD_NUMBERS; i++)
+        s->page->losses.n[kinds[i - HEAD_PLACE]] += (unsigned long)fmin(fmax(v[i], 0), 1e9);
     return true;
 }
 

@@ -16,8 +16,7 @@ typedef struct {
     /* Gives more bytes (and true), or false at the end of the text. */
     bool (*refill)(void *closure, const char **data, size_t *size);
     void *closure;
-    bool complete;         /* set by the reader: the whole text was read and understood */
-    unsigned long filters; /* set by the reader: filters the tap left out */
+    bool complete; /* set by the reader: the whole text was read and understood */
 } cairoscript_source;
 
 /* Reads the text into `list` (initialised by the caller): page size, items, clips, counts. On failure what was read

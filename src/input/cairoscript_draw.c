@@ -79,6 +79,8 @@ static bool op_set_operator(script_state *s)
     script_context *c = code >= 0 ? top_context(s) : NULL;
     if (c)
         c->draws = code != CONST_NO_INK;
+    if (c)
+        c->blends = code == CONST_BLEND;
     return c != NULL;
 }
 
@@ -218,7 +220,7 @@ static bool op_mask(script_state *s)
     if (!plb_script_pop(s))
         return false;
     if (!solid)
-        s->page->masks++;
+        s->page->losses.n[LOSS_MASK]++;
     script_context *c = top_context(s);
     return c && plb_script_paint(s, c, alpha);
 }

@@ -204,7 +204,7 @@ static bool splice(script_state *s, const script_context *c, int outer, double a
     script_surface *to = c->target;
     matrix out;
     if (from->is_image) {
-        s->page->images++;
+        s->page->losses.n[LOSS_IMAGE]++;
         return true;
     }
     if (from->list == to->list || from->list == s->page)
@@ -216,6 +216,7 @@ static bool splice(script_state *s, const script_context *c, int outer, double a
     int *where = plb_new(group->clips.n, sizeof *where);
     if (!where)
         return plb_fail_memory(s->err);
+    to->list->losses.n[LOSS_FAR] += group->losses.n[LOSS_FAR];
     bool ok = splice_clips(s, to, group, out, outer, where);
     for (size_t i = 0; ok && i < group->items.n; i++) {
         item it;
@@ -235,9 +236,15 @@ static bool splice(script_state *s, const script_context *c, int outer, double a
 
 /* ---- the operators ---------------------------------------------------------------------------------------- */
 
+static bool leaves_ink(script_state *s, const script_context *c)
+{
+    s->page->losses.n[LOSS_BLEND] += c->blends;
+    return c->draws;
+}
+
 bool plb_script_fill(script_state *s, script_context *c)
 {
-    if (!c->draws)
+    if (!leaves_ink(s, c))
         return true;
     if (is_group(c->source)) {
         int outer = c->clip;
@@ -273,7 +280,7 @@ static bool set_dash(script_state *s, const script_context *c, double scale, ite
 
 bool plb_script_stroke(script_state *s, script_context *c)
 {
-    if (!c->draws)
+    if (!leaves_ink(s, c))
         return true;
     item it;
     if (!start_item(s, c, ITEM_STROKE, &it))
@@ -299,7 +306,7 @@ static bool surface_box(const script_state *s, const script_surface *f, path *ou
 
 bool plb_script_paint(script_state *s, script_context *c, double alpha)
 {
-    if (!c->draws)
+    if (!leaves_ink(s, c))
         return true;
     if (is_group(c->source))
         return splice(s, c, c->clip, alpha);

@@ -49,7 +49,8 @@ typedef struct {
     path path;              /* in the surface's units */
     matrix ctm;             /* acts on the pen alone: paths come in surface units */
     int clip;               /* in target->list */
-    bool even_odd, draws;   /* draws: the operator adds ink */
+    bool even_odd;
+    bool draws, blends;     /* the operator adds ink; it mixes with what is there as pencils do not */
     line_cap cap;
     double width, dash_offset;
     ARRAY(double) dash;
@@ -79,7 +80,7 @@ typedef struct {
 } script_value;
 
 /* What a //CONSTANT means to the operator that takes it. */
-enum { CONST_OTHER, CONST_BUTT, CONST_ROUND, CONST_SQUARE, CONST_EVEN_ODD, CONST_EXTEND_NONE, CONST_EXTEND_PAD, CONST_EXTEND_REFLECT, CONST_NO_INK };
+enum { CONST_OTHER, CONST_BUTT, CONST_ROUND, CONST_SQUARE, CONST_EVEN_ODD, CONST_EXTEND_NONE, CONST_EXTEND_PAD, CONST_EXTEND_REFLECT, CONST_NO_INK, CONST_BLEND };
 
 /* What a /NAME means; /s12 is 12. */
 #define NAME_TARGET (-1)

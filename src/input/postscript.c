@@ -118,8 +118,6 @@ static void remark(ps *p, const ps_dsc *dsc)
     const ps_file *f = p->main_file;
     if (!p->page_shown && !p->finished && (p->state_count > 1 || p->dict_count > 3))
         plb_say(say, MESSAGE_WARNING, "%s: the program ends in the middle of its page; drawn is what it holds", p->in->name);
-    if (p->bitmap_strings)
-        plb_say(say, MESSAGE_WARNING, "%s: %lu text string%s left out: the font is made of pixels", p->in->name, p->bitmap_strings, p->bitmap_strings == 1 ? "" : "s");
     if (p->page_shown && !p->in->page && (dsc->pages > 1 || plb_dsc_has_page(f->at, (size_t)(f->end - f->at))))
         plb_say(say, MESSAGE_WARNING, "%s: only the first page is drawn (--page)", p->in->name);
 }
@@ -180,22 +178,22 @@ static bool draw_by_ghostscript(ps *p, const gs_page *page, error *err)
 static void improve(ps *p, const gs_page *page)
 {
     error why = {0};
-    unsigned long images = p->list->images;
-    unsigned long lost = p->strings_left_out;
+    losses ours = p->list->losses;
     const messenger *say = &p->in->say;
-    if (!lost && !p->shadings)
+    if (!ours.n[LOSS_TEXT] && !ours.n[LOSS_SHADING])
         return;
     if (plb_ghostscript_is_there() && draw_by_ghostscript(p, page, &why)) {
-        p->list->images = images; /* the other way also counts letters made of pixels */
-        p->list->masks = 0;
+        losses *theirs = &p->list->losses; /* there letters made of pixels count as images and masks */
+        theirs->n[LOSS_IMAGE] = ours.n[LOSS_IMAGE];
+        theirs->n[LOSS_PIXEL_TEXT] = ours.n[LOSS_PIXEL_TEXT];
+        theirs->n[LOSS_MASK] = theirs->n[LOSS_FILTER] = 0;
         plb_say(say, MESSAGE_DETAIL, "%s: read by Ghostscript, for its text or shades", p->in->name);
         return;
     }
     if (why.kind)
         plb_say(say, MESSAGE_DETAIL, "%s", why.text);
-    if (lost)
-        plb_say(say, MESSAGE_WARNING, "%s: %lu text string%s left out: fonts need Ghostscript%s", p->in->name, lost, lost == 1 ? "" : "s",
-                plb_ghostscript_is_there() ? ", which fails on this file" : " (Debian: ghostscript), which is not installed");
+    p->list->losses.advice = plb_ghostscript_is_there() ? "fonts and shadings need Ghostscript, which fails on this file"
+                                                        : "fonts and shadings need Ghostscript (Debian: ghostscript), which is not installed";
 }
 
 /* Our reader failed. True: Ghostscript did not. */

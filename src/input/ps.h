@@ -272,7 +272,6 @@ struct ps {
     int32_t random;
     bool packing, global;
     struct ps_show *showing; /* the innermost string whose Type 3 glyphs are being drawn */
-    unsigned long strings_left_out, bitmap_strings, shadings; /* met and not drawn, or not well */
 };
 
 static inline ps_state *ps_gs(ps *p) { return &p->states[p->state_count - 1]; }

@@ -65,7 +65,7 @@ static void count_image(ps *p)
     if (p->showing)
         plb_ps_note_glyph_image(p);
     else if (!ps_gs(p)->no_output)
-        p->list->images++;
+        p->list->losses.n[LOSS_IMAGE]++;
 }
 
 /* The bytes of an image whose rows are padded; negative: rangecheck raised. */

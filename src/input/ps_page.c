@@ -27,7 +27,8 @@ static void clear_page(ps *p)
 
 bool plb_ps_page_has_something(const ps *p)
 {
-    return p->list->items.n || p->list->images || p->strings_left_out || p->bitmap_strings;
+    const unsigned long *lost = p->list->losses.n;
+    return p->list->items.n || lost[LOSS_IMAGE] || lost[LOSS_TEXT] || lost[LOSS_PIXEL_TEXT];
 }
 
 /* Pages that have something on them count; the one that is wanted ends the reading. */
@@ -40,8 +41,7 @@ static bool op_showpage(ps *p)
         return true;
     }
     clear_page(p);
-    p->list->images = 0;
-    p->strings_left_out = p->bitmap_strings = p->shadings = 0;
+    p->list->losses = (losses){.advice = NULL};
     plb_ps_reset_graphics(p);
     return true;
 }

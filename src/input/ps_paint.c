@@ -174,7 +174,7 @@ static bool op_shfill(ps *p)
 {
     double grey;
     mean_of_function(p, ps_args(p, 1)->as.dict, &grey);
-    p->shadings++;
+    p->list->losses.n[LOSS_SHADING]++;
     if (!plb_ps_save_state(p))
         return false;
     box b = plb_ps_clip_bounds(p);

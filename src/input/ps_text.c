@@ -149,7 +149,7 @@ static void drop_show(ps *p, ps_frame *f)
     ps_show *s = f->data;
     leave_glyph(p, s);
     p->showing = s->outer;
-    p->bitmap_strings += s->has_image && !s->only_measure;
+    p->list->losses.n[LOSS_PIXEL_TEXT] += s->has_image && !s->only_measure;
 }
 
 static bool call_between(ps *p, const ps_show *s)
@@ -219,7 +219,7 @@ static bool show(ps *p, ps_show plan, unsigned n)
     if (!find_font(p, &plan) || (!plan.only_measure && !plb_ps_current_point(p, &plan.pen)))
         return false;
     bool drawn = (plan.type == 3 && !plan.no_glyphs) || plan.only_measure || plan.calls_for_each || !length_of(&plan);
-    p->strings_left_out += !drawn && !ps_gs(p)->no_output;
+    p->list->losses.n[LOSS_TEXT] += !drawn && !ps_gs(p)->no_output;
     ps_show *s = plb_ps_new(p, 1, sizeof *s);
     ps_frame *f = s ? plb_ps_push_frame(p, step_show) : NULL;
     if (!f)

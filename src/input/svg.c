@@ -82,8 +82,6 @@ static outcome run_tap(const input_source *in, const char *program, manner how, 
         plb_fail(err, reading.kind, "%s: %s%s", in->name, plain ? "" : "cannot read what tap-svg wrote: ", reading.text);
         return FAILED;
     }
-    if (from.filters)
-        plb_say(&in->say, MESSAGE_DETAIL, "%s: filters left out: %lu", in->name, from.filters);
     return DONE;
 }
 

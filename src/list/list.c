@@ -43,7 +43,9 @@ static bool is_on_earth(const path *p)
 
 bool plb_list_add(display_list *list, item *it, error *err)
 {
-    if (plb_path_is_empty(&it->path) || !is_on_earth(&it->path)) {
+    bool is_far = !is_on_earth(&it->path);
+    if (plb_path_is_empty(&it->path) || is_far) {
+        list->losses.n[LOSS_FAR] += is_far;
         plb_item_free(it);
         return true;
     }
@@ -85,6 +87,27 @@ void plb_list_transform(display_list *list, matrix m)
     plb_matrix_invert(m, &back);
     for (size_t i = 0; i < list->gradients.n; i++)
         list->gradients.v[i].to_space = plb_matrix_multiply(back, list->gradients.v[i].to_space);
+}
+
+/* Does no part of the box, widened by half the line's width, lie on the page? */
+static bool is_off_page(const display_list *list, const item *it)
+{
+    box b = plb_path_bounds(&it->path);
+    double more = it->kind == ITEM_STROKE ? it->width / 2 : 0;
+    return b.x1 + more < 0 || b.y1 + more < 0 || b.x0 - more > list->width || b.y0 - more > list->height;
+}
+
+void plb_list_count_losses(display_list *list)
+{
+    for (size_t i = 0; i < list->items.n; i++) {
+        const item *it = &list->items.v[i];
+        if (!(it->paint.alpha > 0))
+            list->losses.n[LOSS_INVISIBLE]++;
+        else if (is_off_page(list, it))
+            list->losses.n[LOSS_OFF_PAGE]++;
+        else if (it->paint.kind == PAINT_PATTERN)
+            list->losses.n[LOSS_PATTERN]++;
+    }
 }
 
 box plb_list_bounds(const display_list *list)

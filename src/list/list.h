@@ -9,6 +9,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/path.h"
+#include "list/losses.h"
 
 #include <stdio.h>
 
@@ -73,8 +74,7 @@ typedef struct {
     ARRAY(gradient) gradients;
     size_t points; /* of all paths together */
     double paper_scale; /* mm on paper per mm of the thing drawn, where the reader chose it (DXF); else 1 */
-    /* What was met and left out, for messages. */
-    unsigned long images, masks;
+    losses losses; /* what was met and left out */
 } display_list;
 
 /* Limits on what a file may ask for; a reader stops with ERROR_LIMIT when one is passed. */
@@ -95,6 +95,8 @@ bool plb_list_add_gradient(display_list *list, const gradient *g, unsigned *inde
 void plb_item_free(item *it);
 /* All that lies on the page is mapped by `m` (line widths and dashes by its expansion). */
 void plb_list_transform(display_list *list, matrix m);
+/* Counts what nobody will see, and the fills that are no more than an even grey, among the losses. */
+void plb_list_count_losses(display_list *list);
 /* Bounds of all items' paths; empty when there are none. */
 box plb_list_bounds(const display_list *list);
 /* Perceived lightness of a paint on white paper: 0 black to 1 white (Rec. 601 luma, alpha over white). */

@@ -8,15 +8,17 @@
  * --recover sends the document through libxml2's recovery parser first; --no-text leaves all text out.
  * The first line of the output gives the page and the map from the script's units back to millimetres:
  *
- *     %%Plumbago-tap 1 WIDTH HEIGHT XX YX XY YY X0 Y0 IMAGES MASKS FILTERS
+ *     %%Plumbago-tap 1 WIDTH HEIGHT XX YX XY YY X0 Y0 IMAGES MASKS FILTERS FOREIGN
  *
- * The last three count what is left out on purpose: images are pixels, masks and filters would turn lines into pixels.
+ * The last four count what is left out (tap_losses.h): images are pixels, masks and filters would turn lines into pixels.
  *
  * The page is turned while it is recorded, for two faults of cairo 1.16's script surface: it refuses filled outlines
  * of horizontal and vertical lines that are not boxes ("input path data not valid"), and aborts on boxes left of
  * -9999. No outline is rectilinear once turned by an odd angle. The turn is a style of the root element and not
  * cairo's own matrix, because librsvg takes the latter away again inside groups with opacity.
  */
+#include "tap/tap_losses.h"
+
 #include <cairo-script.h>
 #include <libxml/parser.h>
 #include <libxml/tree.h>
@@ -325,17 +327,15 @@ static placing place(const page *p)
 
 static void write_head(const page *p, const GByteArray *text)
 {
-    static const char *const images[] = {"<image", ":image ", NULL};
-    static const char *const masks[] = {"mask=\"url", "mask='url", "mask:url", "mask: url", NULL};
-    static const char *const filters[] = {"filter=\"url", "filter='url", "filter:url", "filter: url", NULL};
+    tap_losses lost = plb_tap_count_losses((const char *)text->data, text->len);
     placing l = place(p);
     cairo_matrix_t back = l.turn;
     cairo_matrix_invert(&back);
     double k = MM_PER_PX / l.scale;
     char line[400];
-    int n = snprintf(line, sizeof line, "%%%%Plumbago-tap 1 %.9g %.9g %.12g %.12g %.12g %.12g %.12g %.12g %lu %lu %lu\n",
+    int n = snprintf(line, sizeof line, "%%%%Plumbago-tap 1 %.9g %.9g %.12g %.12g %.12g %.12g %.12g %.12g %lu %lu %lu %lu\n",
                      p->width * MM_PER_PX, p->height * MM_PER_PX, back.xx * k, back.yx * k, back.xy * k, back.yy * k,
-                     back.x0 * k, back.y0 * k, count(text, images), count(text, masks), count(text, filters));
+                     back.x0 * k, back.y0 * k, lost.images, lost.masks, lost.filters, lost.foreign);
     put(NULL, (const unsigned char *)line, (unsigned)n);
 }
 

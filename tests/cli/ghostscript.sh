@@ -26,7 +26,7 @@ without() { PATH=$PWD/none plumbago "$@"; }
 
 without --dump=list text.eps
 is "without gs: drawn, but for the text" "$status $(items)" '0 1'
-grep -q 'warning: .*1 text string left out.*ghostscript' "$TMP/err" && ok "without gs: a warning says what to install" || fail "without gs: a warning says what to install" "$(cat "$TMP/err")"
+grep -q 'warning: .*left out: 1 text string; .*ghostscript' "$TMP/err" && ok "without gs: a warning says what to install" || fail "without gs: a warning says what to install" "$(cat "$TMP/err")"
 page=$(head_line)
 without unknown.ps
 grep -q 'unknown.ps:3: .*frobnicate.*Debian: ghostscript' "$TMP/err" && ok "without gs: the error names the operator" || fail "without gs: the error names the operator" "$(cat "$TMP/err")"

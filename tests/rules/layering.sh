@@ -17,7 +17,7 @@ allowed() {
     surface) echo base list profile surface ;;
     api) echo base list profile input plan stroke surface api ;;
     tool) echo api/plumbago.h tool ;;
-    tap) ;;
+    tap) echo tap ;;
     *) echo none ;;
     esac
 }
