@@ -11,8 +11,8 @@
 
 /* Spacing of the first layer, in widths of the pencil's line, and pressure, at efforts 0, 1/2 and 1; the second layer
  * begins at CROSS_FROM with CROSS_WIDEST (all chosen by eye). */
-static const double spacing_at[3] = {4.5, 1.2, .75};
-static const double pressure_at[3] = {.55, .85, 1.25};
+static const double spacing_at[3] = {2.2, 1.15, .75};
+static const double pressure_at[3] = {.3, .75, 1.25};
 #define CROSS_FROM 0.62
 #define CROSS_WIDEST 2.6
 #define CROSS_CLOSEST 0.8

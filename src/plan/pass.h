@@ -11,6 +11,9 @@
 
 /* All return false and fill `err` when out of memory; the list is then good for plb_stroke_list_free only. */
 
+/* clear.c: hatch lines leave room for the lettering painted over them with a pencil `width` mm wide. Before the strokes leave the
+ * items' order. */
+bool plb_plan_clear(stroke_list *list, double width, error *err);
 /* doubles.c: where a line lies upon an earlier one of its kind, within `tolerance` mm, it is not drawn again. */
 bool plb_plan_undouble(stroke_list *list, double tolerance, error *err);
 /* join.c: lines that go on from one another, end to end within `tolerance` mm, become one. */

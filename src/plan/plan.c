@@ -2,8 +2,8 @@
  *
  * Plan: from what was drawn to what a hand draws. plb_plan is the table of contents:
  *
- *     each item      visible? → its marks as tracks → clip → dash → hidden → corners → strokes
- *     all strokes    drawn once → joined → smooth → beside each other? → habits → in order → identities
+ *     each item      visible? → its marks as tracks → clip → dash → hidden → calm → corners → strokes
+ *     all strokes    clear of lettering → drawn once → joined → smooth → beside or upon each other? → habits → in order → identities
  */
 #include "plan/plan.h"
 
@@ -67,12 +67,19 @@ static bool cut_at_corners(void *closure, const track *t)
     return plb_plan_corners(t, add_stroke, p, p->err);
 }
 
+/* Of the drawing's own lines; hatching and lettering have been made for the pencil. */
+static bool calm(void *closure, const track *t)
+{
+    planner *p = closure;
+    return t->touch.kind == STROKE_LINE ? plb_plan_calm(t, p->how->pencil_width, cut_at_corners, p, p->err) : cut_at_corners(p, t);
+}
+
 /* Of hatching and of passes no scraps are left where something hides the rest. */
 static bool leave_out_scraps(void *closure, const track *t)
 {
     planner *p = closure;
     bool is_scrap = t != p->whole && t->touch.kind == STROKE_HATCH && plb_track_length(t) < p->how->pencil_width;
-    return is_scrap || cut_at_corners(p, t);
+    return is_scrap || calm(p, t);
 }
 
 static bool leave_out_hidden(void *closure, const track *t)
@@ -232,8 +239,8 @@ plan_options plb_plan_options_default(void)
 static bool arrange(stroke_list *out, const plan_options *o, error *err)
 {
     double same = SAME_LINE_WIDTHS * o->pencil_width;
-    return plb_plan_undouble(out, same, err) && plb_plan_join(out, same, err) && plb_plan_smooth(out, err) && plb_plan_beside(out, err) && plb_plan_habits(out, o, err) &&
-           plb_plan_order(out, err) && plb_plan_identify(out, err);
+    return plb_plan_clear(out, o->pencil_width, err) && plb_plan_undouble(out, same, err) && plb_plan_join(out, same, err) && plb_plan_smooth(out, err) &&
+           plb_plan_beside(out, err) && plb_plan_meet(out, err) && plb_plan_habits(out, o, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
 }
 
 static void report(const planner *p, const messenger *say)

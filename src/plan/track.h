@@ -43,6 +43,8 @@ typedef bool (*track_sink)(void *closure, const track *t);
 /* flatten.c: subpaths of `p` as tracks, with corners marked; `close` closes open ones, as a fill does. A subpath without
  * length becomes a track of one point. */
 bool plb_plan_flatten(const path *p, bool close, track_sink sink, void *closure, error *err);
+/* calm.c: `t` without wiggles finer than a pencil's line of `width` mm. */
+bool plb_plan_calm(const track *t, double width, track_sink sink, void *closure, error *err);
 double plb_track_length(const track *t);
 
 /* corner.c: a track cut at its corners; a closed one is first turned to start at a corner. */

@@ -1,0 +1,136 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a careful hand minds: words stay clear of hatching, wiggles finer than the point are smoothed, lines that others end
+ * upon are met.
+ */
+#include "check.h"
+
+#include "plan/habits.h"
+#include "plan/pass.h"
+#include "plan/track.h"
+
+static stroke *add(stroke_list *list, double x0, double y0, double x1, double y1, stroke_kind kind)
+{
+    point ends[2] = {{x0, y0}, {x1, y1}};
+    stroke s = {.touch = {1, 0, kind}};
+    CHECK(plb_plan_append(list, &s, ends, 2));
+    return &list->strokes.v[list->strokes.n - 1];
+}
+
+static double distance(point p, point a, point b)
+{
+    point d = point_sub(b, a);
+    double t = fmin(fmax(point_dot(point_sub(p, a), d) / point_dot(d, d), 0), 1);
+    return plb_point_distance(p, point_mix(a, b, t));
+}
+
+/* Lines rise by 45 degrees, 1 mm apart, under a letter: none comes near, and what is away from it is there. */
+static void hatching_keeps_clear_of_letters(void)
+{
+    const double width = 0.35;
+    stroke_list list = {.width = 100, .height = 100};
+    double before = 0, after = 0;
+    for (int i = 0; i < 60; i++)
+        add(&list, 10 + i, 60, 40 + i, 30, STROKE_HATCH);
+    point a = {50, 40}, b = {53, 46};
+    add(&list, a.x, a.y, b.x, b.y, STROKE_LETTER);
+    before = 60 * plb_point_distance((point){10, 60}, (point){40, 30});
+    CHECK(plb_plan_clear(&list, width, NULL));
+    for (size_t i = 0; i < list.strokes.n; i++) {
+        const point *v = list.points.v + list.strokes.v[i].first;
+        if (list.strokes.v[i].touch.kind != STROKE_HATCH)
+            continue;
+        after += plb_point_distance(v[0], v[1]);
+        for (int k = 0; k <= 100; k++)
+            CHECK(distance(point_mix(v[0], v[1], k / 100.0), a, b) > width + 0.2);
+    }
+    CHECK_RANGE(before - after, 6, 20); /* about the area round the letter, over the spacing */
+    plb_stroke_list_free(&list);
+}
+
+static void lettering_that_is_hatched_over_stays_so(void)
+{
+    stroke_list list = {.width = 100, .height = 100};
+    add(&list, 50, 40, 53, 46, STROKE_LETTER);
+    add(&list, 40, 43, 60, 43, STROKE_HATCH);
+    CHECK(plb_plan_clear(&list, 0.35, NULL));
+    CHECK(list.strokes.n == 2);
+    plb_stroke_list_free(&list);
+}
+
+/* ---- wiggles ---- */
+
+typedef struct {
+    size_t corners, points;
+    box bounds;
+    double turn; /* the largest where there is no corner, radians */
+    point first, last;
+} sight;
+
+static bool look(void *closure, const track *t)
+{
+    sight *s = closure;
+    *s = (sight){.bounds = BOX_EMPTY, .points = t->points.n, .first = t->points.v[0].at, .last = t->points.v[t->points.n - 1].at};
+    for (size_t i = 0; i < t->points.n; i++) {
+        s->corners += t->points.v[i].corner;
+        plb_box_add(&s->bounds, t->points.v[i].at);
+        if (i == 0 || i + 1 == t->points.n || t->points.v[i].corner)
+            continue;
+        point in = point_sub(t->points.v[i].at, t->points.v[i - 1].at), out = point_sub(t->points.v[i + 1].at, t->points.v[i].at);
+        s->turn = fmax(s->turn, fabs(atan2(point_cross(in, out), point_dot(in, out))));
+    }
+    return true;
+}
+
+/* A zigzag of 45 degrees, `step` mm from corner to corner along x. */
+static sight zigzag(double step, int corners)
+{
+    track t = {0};
+    sight s;
+    for (int i = 0; i < corners + 2; i++) {
+        track_point p = {{10 + i * step, 10 + (i & 1 ? step : 0)}, i > 0 && i <= corners};
+        CHECK(array_push(&t.points, p));
+    }
+    CHECK(plb_plan_calm(&t, 0.35, look, &s, NULL));
+    CHECK(s.first.x == 10 && fabs(s.last.x - (10 + (corners + 1) * step)) < 1e-9);
+    array_free(&t.points);
+    return s;
+}
+
+static void fine_wiggles_are_one_movement(void)
+{
+    sight fine = zigzag(0.1, 200), coarse = zigzag(3, 200), short_one = zigzag(0.1, 4);
+    CHECK(fine.corners == 2); /* where the wiggle begins and ends */
+    CHECK(fine.turn < 1);
+    CHECK_RANGE(fine.bounds.y1 - fine.bounds.y0, 0, 0.101);
+    CHECK(coarse.corners == 200 && coarse.points == 202);
+    CHECK(short_one.corners == 4);
+}
+
+/* ---- meeting ---- */
+
+static void lines_that_others_end_upon_stray_little(void)
+{
+    stroke_list list = {.width = 200, .height = 200};
+    add(&list, 10, 100, 110, 100, STROKE_LINE); /* a scale, */
+    add(&list, 60, 100, 60, 103, STROKE_LINE);  /* its tick, */
+    add(&list, 10, 50, 110, 50, STROKE_LINE);   /* one that is only crossed, */
+    add(&list, 60, 40, 60, 60, STROKE_LINE);
+    add(&list, 110, 50, 110, 20, STROKE_LINE);  /* or met at its end, */
+    add(&list, 10, 150, 110, 150, STROKE_LINE); /* and one with hatching upon it */
+    add(&list, 50, 150, 60, 140, STROKE_HATCH);
+    CHECK(plb_plan_meet(&list, NULL));
+    for (size_t i = 0; i < list.strokes.n; i++)
+        CHECK((list.strokes.v[i].room > 0) == (i == 0));
+    CHECK_RANGE(list.strokes.v[0].room, 0.05, 0.35);
+    plb_stroke_list_free(&list);
+}
+
+int main(void)
+{
+    RUN(hatching_keeps_clear_of_letters);
+    RUN(lettering_that_is_hatched_over_stays_so);
+    RUN(fine_wiggles_are_one_movement);
+    RUN(lines_that_others_end_upon_stray_little);
+    CHECK_EXIT;
+}
