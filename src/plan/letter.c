@@ -22,6 +22,7 @@
 #define LONE_DOT_PENCILS 1.3 /* a dot by itself is lettering up to this size */
 #define LEAST_RING_MM 0.07
 #define THICK 2.0            /* the largest disc of a part may be this many strokes wide */
+#define BAR 5.0              /* a quadrangle this much longer than wide is a line */
 #define DETAIL_PENCILS 0.12  /* what sticks out less than this is not drawn */
 #define NIB_PENCILS 0.5      /* a stroke ends half of this before the tip */
 
@@ -66,8 +67,8 @@ static bool is_thin(const lettering *l, double stem)
 /* Thin letters are drawn lightly: a light line is a narrow one. */
 static float pressure_of(const lettering *l)
 {
-    double p = 0.45 + 0.5 * l->stem / l->how->pencil_width;
-    return (float)fmin(1, fmax(0.6, p));
+    double p = 0.6 + 0.4 * l->stem / l->how->pencil_width;
+    return (float)fmin(1, fmax(0.7, p));
 }
 
 /* ---- from pen strokes to tracks ---- */
@@ -120,6 +121,33 @@ static bool is_dot(const lettering *l, box b, bool compact)
 
 /* ---- one part ---- */
 
+/* The two middles of the short sides of a quadrangle much longer than wide; false of anything else. Drawings have
+ * thousands of such bars, some as long as the page: they need no raster. */
+static bool is_long_bar(const letter_part *part, point *from, point *to)
+{
+    const point *p = part->outline.points.v;
+    if (part->outline.starts.n != 1 || part->outline.points.n != 4)
+        return false;
+    double side[4];
+    for (int i = 0; i < 4; i++)
+        side[i] = plb_point_distance(p[i], p[(i + 1) % 4]);
+    int k = side[0] + side[2] < side[1] + side[3] ? 0 : 1; /* the first short side */
+    *from = point_mix(p[k], p[k + 1], 0.5);
+    *to = point_mix(p[k + 2], p[(k + 3) % 4], 0.5);
+    return BAR * fmax(side[k], side[k + 2]) < fmin(side[k + 1], side[(k + 3) % 4]);
+}
+
+static bool add_bar(lettering *l, point from, point to, double width)
+{
+    track t = {.touch = {l->pressure, 0, STROKE_LETTER}};
+    double off = fmin(NIB_PENCILS * l->how->pencil_width, width) / 2 / plb_point_distance(from, to);
+    bool ok = push_point(&t, point_mix(from, to, off), false) && push_point(&t, point_mix(to, from, off), false) && array_push(&l->tracks, t);
+    if (!ok)
+        array_free(&t.points);
+    l->letters++;
+    return ok;
+}
+
 static bool draw_axis(lettering *l, raster *r, double stem, error *err)
 {
     medial m = {0};
@@ -156,6 +184,11 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
 {
     raster r;
     double stem;
+    point from, to;
+    if (is_long_bar(part, &from, &to)) {
+        *taken = is_thin(l, stem_of(part));
+        return !*taken || add_bar(l, from, to, stem_of(part)) || plb_fail_memory(err);
+    }
     if (!fill_raster(&r, part, &stem, err))
         return false;
     double radius = r.largest * r.pixel;

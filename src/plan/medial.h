@@ -34,11 +34,14 @@ typedef struct {
     uint8_t *on;       /* the pixels inside; after thinning the medial axis */
 } raster;
 
-/* The largest raster: a square of this side. */
+/* No raster has more pixels than the first; none more than the second when the shape's contours pass fewer than one of
+ * RASTER_SPARSE of them: time goes with the pixels, worth with the ink. */
 #define RASTER_MAX_PIXELS (1024 * 1024)
+#define RASTER_USUAL_PIXELS (256 * 1024)
+#define RASTER_SPARSE 200
 
 /* medial_raster.c: `o` at `pixel` a side; false and `err` when out of memory. The caller frees it. A raster beyond
- * RASTER_MAX_PIXELS is left empty (width 0) with true. */
+ * these bounds is left empty (width 0) with true. */
 bool plb_raster_fill(raster *r, const contour_set *o, double pixel, error *err);
 void plb_raster_free(raster *r);
 static inline bool raster_inside(const raster *r, point p)

@@ -98,6 +98,24 @@ static int measure_row(const raster *r, const int16_t *up, float *radius)
     return most;
 }
 
+static double contour_length(const contour_set *o)
+{
+    double length = 0;
+    for (size_t k = 0; k < o->starts.n; k++) {
+        size_t first = o->starts.v[k], end = k + 1 < o->starts.n ? o->starts.v[k + 1] : o->points.n;
+        for (size_t i = first; i < end; i++)
+            length += plb_point_distance(o->points.v[i], o->points.v[i + 1 < end ? i + 1 : first]);
+    }
+    return length;
+}
+
+static bool is_affordable(const contour_set *o, double w, double h, double pixel)
+{
+    if (!(w * h <= RASTER_MAX_PIXELS) || w > 16000 || h > 16000)
+        return false;
+    return w * h <= RASTER_USUAL_PIXELS || RASTER_SPARSE * contour_length(o) / pixel > w * h;
+}
+
 bool plb_raster_fill(raster *r, const contour_set *o, double pixel, error *err)
 {
     memset(r, 0, sizeof *r);
@@ -105,7 +123,7 @@ bool plb_raster_fill(raster *r, const contour_set *o, double pixel, error *err)
     for (size_t i = 0; i < o->points.n; i++)
         plb_box_add(&b, o->points.v[i]);
     double w = (b.x1 - b.x0) / pixel + 2 * RIM + 2, h = (b.y1 - b.y0) / pixel + 2 * RIM + 2;
-    if (plb_box_is_empty(b) || !(w * h <= RASTER_MAX_PIXELS) || w > 16000 || h > 16000)
+    if (plb_box_is_empty(b) || !is_affordable(o, w, h, pixel))
         return true;
     r->width = (int)w;
     r->height = (int)h;

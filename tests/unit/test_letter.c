@@ -81,8 +81,8 @@ static result polygon(const double *xy, int n, double degrees)
 
 static void bars_become_their_centre_lines(void)
 {
-    for (int turn = 0; turn < 180; turn += 1) {
-        result r = polygon((const double[]){0, 0, 10, 0, 10, .5, 0, .5}, 4, turn);
+    for (int turn = 0; turn < 360; turn++) { /* with five points it goes through the raster */
+        result r = polygon((const double[]){0, 0, 10, 0, 10, .5, 0, .5, 0, .25}, turn < 180 ? 5 : 4, turn);
         CHECK(r.taken && r.n == 1 && r.corners == 0 && r.letter);
         CHECK_RANGE(r.length[0], 9.5, 10);
         point along = {cos(turn * PLB_PI / 180), sin(turn * PLB_PI / 180)};
@@ -214,7 +214,7 @@ static void small_letters_are_drawn_lightly(void)
     small = letter(&small, 0);
     CHECK(small.taken && small.n == 2);
     CHECK(small.pressure < big.pressure);
-    CHECK_RANGE(small.pressure, .6, .8);
+    CHECK_RANGE(small.pressure, .7, .8);
 }
 
 /* A comb of many teeth, a star of 100,000 points, points that are all one: they end, quickly. */
