@@ -48,34 +48,16 @@ char *naming_of(const char *pattern, const char *input)
     return name;
 }
 
-typedef struct {
-    part stem;
-    size_t number;
-} entry;
-
-static int by_stem(const void *a, const void *b)
+static int by_name(const void *a, const void *b)
 {
-    const entry *x = a, *y = b;
-    int by = memcmp(x->stem.v, y->stem.v, x->stem.n < y->stem.n ? x->stem.n : y->stem.n);
-    if (by || x->stem.n != y->stem.n)
-        return by ? by : x->stem.n < y->stem.n ? -1 : 1;
-    return x->number < y->number ? -1 : x->number > y->number;
+    return strcmp(*(char *const *)a, *(char *const *)b);
 }
 
-bool naming_collides(const char *pattern, char *const inputs[], size_t n, size_t *first, size_t *second)
+const char *naming_repeated(char **names, size_t n)
 {
-    entry *all = n > 1 && naming_has_place(pattern) ? calloc(n, sizeof *all) : NULL;
-    bool found = false;
-    for (size_t i = 0; all && i < n; i++)
-        all[i] = (entry){stem_of(inputs[i]), i};
-    if (all)
-        qsort(all, n, sizeof *all, by_stem);
-    for (size_t i = 1; all && i < n && !found; i++)
-        if (all[i].stem.n == all[i - 1].stem.n && !memcmp(all[i].stem.v, all[i - 1].stem.v, all[i].stem.n)) {
-            *first = all[i - 1].number;
-            *second = all[i].number;
-            found = true;
-        }
-    free(all);
-    return found;
+    qsort(names, n, sizeof *names, by_name);
+    for (size_t i = 1; i < n; i++)
+        if (!strcmp(names[i - 1], names[i]))
+            return names[i];
+    return NULL;
 }

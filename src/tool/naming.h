@@ -13,7 +13,7 @@ bool naming_has_place(const char *pattern);
 /* The pattern with the input's name, without folder and suffix, in each such place ("standard-input" for "-"). The caller
  * frees; NULL: out of memory. */
 char *naming_of(const char *pattern, const char *input);
-/* Whether two of the inputs would be given the same name; `first` and `second` tell which. */
-bool naming_collides(const char *pattern, char *const inputs[], size_t n, size_t *first, size_t *second);
+/* Sorts the n names; the first that is there twice, or NULL. */
+const char *naming_repeated(char **names, size_t n);
 
 #endif

@@ -317,7 +317,9 @@ static int fail(settings *s, const plb_error *e)
 
 static int wrong(const char *what)
 {
-    fprintf(stderr, PROGRAM ": %s; try '" PROGRAM " --help'\n", what);
+    char line[640];
+    snprintf(line, sizeof line, "%s; try '" PROGRAM " --help'", what);
+    print_line("", line);
     return EXIT_WRONG_COMMAND;
 }
 
@@ -463,25 +465,51 @@ static int run(settings *s, const char *input)
     return status;
 }
 
-/* Several drawings need names of their own. */
-static const char *refuse_names(const settings *s, char *const inputs[], int n)
+/* A result's name without what does not tell it from others. */
+static char *name_to_compare(const settings *s, const char *input)
 {
-    size_t first, second;
-    if (n > 1 && s->output && !naming_has_place(s->output) && !(is_text(s) && !strcmp(s->output, "-")))
+    char *name = s->output ? naming_of(s->output, input) : pages_name_output(input, false);
+    while (name && !strncmp(name, "./", 2))
+        memmove(name, name + 2, strlen(name + 2) + 1);
+    return name;
+}
+
+/* Whether two of the drawings would be given the same name; it is put into `text`, as far as there is room. */
+static bool names_collide(const settings *s, char *const inputs[], size_t n, char *text, size_t room)
+{
+    char **names = calloc(n, sizeof *names);
+    size_t made = 0;
+    while (names && made < n && (names[made] = name_to_compare(s, inputs[made])))
+        made++;
+    const char *twice = names ? naming_repeated(names, made) : NULL;
+    if (twice)
+        snprintf(text, room, "two of the drawings have the same name for their picture, %s", twice);
+    while (made > 0)
+        free(names[--made]);
+    free(names);
+    return twice != NULL;
+}
+
+/* Several drawings need names of their own. */
+static const char *refuse_names(const settings *s, char *const inputs[], int n, char *text, size_t room)
+{
+    bool on_one_stream = is_text(s) && (!s->output || !strcmp(s->output, "-"));
+    if (n < 2 || on_one_stream)
+        return NULL;
+    if (s->output && !naming_has_place(s->output))
         return "more than one FILE: their pictures need a %s in the name of the output: -o 'out/%s.png'";
-    for (int i = 0; n > 1 && i < n; i++)
+    for (int i = 0; i < n; i++)
         if (!strcmp(inputs[i], "-") && !s->output)
             return "standard input among several drawings needs -o with a %s";
-    if (s->output && naming_collides(s->output, inputs, (size_t)n, &first, &second))
-        return "two of the drawings have the same name, and one would replace the other's picture";
-    return NULL;
+    return names_collide(s, inputs, (size_t)n, text, room) ? text : NULL;
 }
 
 /* All drawings with one pencil; one that fails does not keep the others from being drawn. */
 static int run_all(settings *s, char *const inputs[], int n)
 {
     plb_error e = {PLB_OK, ""};
-    const char *refused = refuse_names(s, inputs, n);
+    char text[512];
+    const char *refused = refuse_names(s, inputs, n, text, sizeof text);
     if (refused)
         return wrong(refused);
     if (s->random_seed) {

@@ -20,6 +20,11 @@ draws "a name that looks like a place" -o 'out/%s.png' 'x%d %s.svg' a.svg
 same "a name that looks like a place: it is none" 'out/x%d %s.png' two.png
 misused "two files, one name" FILE -o both.png a.svg b.svg
 misused "two files of one name" "same name" -o 'out/%s.png' a.svg sub/a.svg
+cp a.svg a.ps && cp a.svg sub/b.svg
+misused "two files beside each other, one picture" "same name.* a\.png" a.svg a.ps
+misused "one file by two names" "same name" ./a.svg a.svg
+misused "the name that comes twice is told" "same name.* out/b\.png" -o 'out/%s.png' a.svg b.svg sub/b.svg
+draws "one name in two folders" a.svg sub/a.svg
 misused "standard input among others" "standard input" - a.svg
 
 rm -f out/*
