@@ -56,15 +56,23 @@ static void mark_page(stroke_list *s, unsigned number)
         s->strokes.v[i].identity = random_fold(s->strokes.v[i].identity, number, 0);
 }
 
+/* The plan knows no files: what it says gets the drawing's name here. */
+static void say_named(void *closure, message_level level, const char *text)
+{
+    const input_source *in = closure;
+    plb_say(&in->say, level, "%s: %s", in->name, text);
+}
+
 static bool draw(plb_drawing *d, const input_source *in, const plb_options *o, error *err)
 {
     if (!plb_input_read(in, &d->list, err) || !set_name(d, in->name, err))
         return false;
     plan_options how = plb_api_plan_options(o);
+    messenger named = {say_named, (void *)(uintptr_t)in};
     error late = {ERROR_NONE, ""};
     plb_list_count_losses(&d->list);
     if (!fit(&d->list, o, &late) || (plb_api_needs_tone(&d->list, &how) && !plb_api_measure_tone(o, &how, &late)) ||
-        !plb_plan(&d->list, &how, &in->say, &d->strokes, &late))
+        !plb_plan(&d->list, &how, &named, &d->strokes, &late))
         return plb_fail(err, late.kind, "%s: %s", d->name, late.text);
     mark_page(&d->strokes, o->page);
     report_losses(d, &in->say);

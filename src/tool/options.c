@@ -93,6 +93,9 @@ bool options_parse(const char *program, const option *table, size_t n, int argc,
     return true;
 }
 
+/* Where the explanations begin; options that reach beyond have theirs on the next line. */
+#define HELP_COLUMN 30
+
 void options_print(const option *table, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
@@ -105,6 +108,10 @@ void options_print(const option *table, size_t n)
         int at = o->letter ? snprintf(left, sizeof left, "  -%c, --%s", o->letter, o->name) : snprintf(left, sizeof left, "      --%s", o->name);
         if (o->argument && at > 0 && at < (int)sizeof left)
             snprintf(left + at, sizeof left - (size_t)at, " %s", o->argument);
-        printf("%-30s %s\n", left, o->help);
+        if (strlen(left) > HELP_COLUMN)
+            printf("%s\n%*s", left, HELP_COLUMN, "");
+        else
+            printf("%-*s", HELP_COLUMN, left);
+        printf(" %s\n", o->help);
     }
 }

@@ -214,7 +214,7 @@ static const option table[] = {
     {0, "limit-time", "SECONDS", "processor time of each program that reads for us [8]", set_limit_time},
     {0, "limit-memory", "MIB", "memory of each program that reads for us [1024]", set_limit_memory},
     {0, NULL, NULL, "Output", NULL},
-    {'o', "output", "FILE", "write FILE, PNG or .pdf; '-': standard output; %d: page [FILE.png]", set_output},
+    {'o', "output", "FILE", "PNG or .pdf, '-': standard output; %s: drawing, %d: page [FILE.png]", set_output},
     {'d', "dpi", "DPI", "resolution, 10 to 4800 pixels per inch [300]", set_dpi},
     {0, "background", "white|none", "paper, or nothing behind the graphite [white]", set_background},
     {0, "compress", "0..9", "0: large at once, 9: small and slow [1]", set_compress},
