@@ -52,7 +52,7 @@ printf '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="30mm" viewB
 printf '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="30mm" viewBox="0 0 40 30"><path d="M5 20H35M5 20H35" stroke="#000" stroke-width=".4"/></svg>' >double.svg
 printf '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="30mm" viewBox="0 0 40 30"><path d="M5 20H35" stroke="#000" stroke-width=".4"/></svg>' >single.svg
 for name in twins double single; do "$PLUMBAGO" -d 254 -o $name.png $name.svg 2>>"$TMP/err"; done
-differ "a line drawn twice is two lines" double.png single.png
+if tool png_compare double.png single.png >/dev/null; then ok "a line that a file holds twice is drawn once"; else fail "a line that a file holds twice is drawn once" "the pictures differ"; fi
 
 # ---- other builds ----
 case $BUILD_DIR in

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * Plan, all strokes: the order of drawing. A person draws what lies together together, the next line from near where
- * the last one ended, lines before their hatching, and pulls a line from left to right or from the top down, unless it
- * goes on from where the pencil is.
+ * the last one ended, lines before their hatching, and pulls a line from left to right or from the top down.
  *
  * Strokes are sorted along a Hilbert curve by where they start and cut into groups; within a group the nearest comes
- * next. How a stroke looks does not depend on its place in the order, but for the end it starts from.
+ * next. How a stroke looks does not depend on its place in the order: the end it starts from is its own affair, so that
+ * a line added elsewhere changes nothing about it.
  */
 #include "plan/pass.h"
 
@@ -17,8 +17,6 @@
 #define GROUP 48
 /* Cells of the Hilbert curve along a side: 2 to the power of this. */
 #define HILBERT_LEVELS 10
-/* A line is drawn against its usual direction when that end is this near the pencil. */
-#define GOES_ON_MM 0.3
 /* What a kind costs that comes later: more than any way on the page. */
 #define KIND_MM 1e7
 
@@ -120,37 +118,29 @@ static int rank(stroke_kind kind)
     return ranks[kind];
 }
 
-/* How far the pencil has to go to draw `s` next, and whether backwards. */
-static double way_to(const stroke_list *list, const stroke *s, point pen, bool *backwards)
+/* How far the pencil has to go to draw `s` next. */
+static double way_to(const stroke_list *list, const stroke *s, point pen)
 {
-    double there = plb_point_distance(pen, start_of(list, s)), back = s->closed ? there : plb_point_distance(pen, end_of(list, s));
-    *backwards = back < there && back < GOES_ON_MM;
-    return (*backwards ? back : there) + rank(s->touch.kind) * KIND_MM;
+    return plb_point_distance(pen, start_of(list, s)) + rank(s->touch.kind) * KIND_MM;
 }
 
 /* Puts the group in order, nearest next; `pen` is where the last stroke ended. */
-static void chain(stroke_list *list, entry *group, size_t n, point *pen)
+static void chain(const stroke_list *list, entry *group, size_t n, point *pen)
 {
     for (size_t i = 0; i < n; i++) {
         size_t best = i;
         double least = INFINITY;
-        bool backwards = false;
         for (size_t k = i; k < n; k++) {
-            bool turned;
-            double way = way_to(list, &list->strokes.v[group[k].number], *pen, &turned);
+            double way = way_to(list, &list->strokes.v[group[k].number], *pen);
             if (way < least) {
                 least = way;
                 best = k;
-                backwards = turned;
             }
         }
         entry next = group[best];
         memmove(group + i + 1, group + i, (best - i) * sizeof *group); /* the others keep their order */
         group[i] = next;
-        stroke *s = &list->strokes.v[next.number];
-        if (backwards)
-            reverse(list, s);
-        *pen = end_of(list, s);
+        *pen = end_of(list, &list->strokes.v[next.number]);
     }
 }
 
