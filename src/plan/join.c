@@ -4,7 +4,8 @@
  * of chords. Both papers ask that collinear pieces be drawn as one; so is every chain of lines that goes on smoothly
  * from end to end. Ends that meet at a corner, and with nothing else, are marked: the pencil is not lifted there.
  *
- * At each place where ends meet, the pair with the least turn joins first, then the next among those left.
+ * At each place where ends meet, pairs that touch join before those with a gap, and among them the pair with the least turn
+ * first, then the next among those left.
  */
 #include "plan/grid.h"
 #include "plan/pass.h"
@@ -23,11 +24,15 @@
 /* A direction is taken over this length of the line, so that a tiny last segment does not spoil it. */
 #define DIRECTION_MM 0.15
 
+/* Ends this near touch: what a file's rounding leaves between the pieces of one line. */
+#define TOUCHING_MM 0.001
+
 #define NO_END UINT32_MAX
 
 /* Ends are numbered: 2 i is the start of stroke i, 2 i + 1 its end. */
 typedef struct {
     uint32_t a, b;
+    bool apart;  /* do not touch */
     double turn; /* radians */
 } pair;
 
@@ -85,18 +90,18 @@ static bool put_ends(joiner *j)
     return ok;
 }
 
-/* The ends that lie near `end`, itself not; how many, more than MOST_ENDS being too many. */
-static size_t neighbours(const joiner *j, uint32_t end, uint32_t found[MOST_ENDS])
+/* The ends that lie within `reach` mm of `end`, itself not; how many, more than MOST_ENDS being too many. */
+static size_t neighbours(const joiner *j, uint32_t end, double reach, uint32_t found[MOST_ENDS])
 {
     point p = place_of(j, end);
-    grid_walk w = plb_grid_walk(&j->where, p, p, j->tolerance);
+    grid_walk w = plb_grid_walk(&j->where, p, p, reach);
     int64_t column, row;
     size_t n = 0;
     while (plb_grid_step(&w, &column, &row))
         for (uint32_t k = plb_grid_first(&j->where, column, row); k != GRID_END; k = j->where.entries.v[k].next) {
             uint32_t other = j->where.entries.v[k].value;
             point q = place_of(j, other);
-            if (other == end || plb_grid_cell(&j->where, q.x) != column || plb_grid_cell(&j->where, q.y) != row || plb_point_distance(p, q) > j->tolerance)
+            if (other == end || plb_grid_cell(&j->where, q.x) != column || plb_grid_cell(&j->where, q.y) != row || plb_point_distance(p, q) > reach)
                 continue;
             if (n == MOST_ENDS)
                 return n + 1;
@@ -105,20 +110,30 @@ static size_t neighbours(const joiner *j, uint32_t end, uint32_t found[MOST_ENDS
     return n;
 }
 
-/* The pairs of `end` with ends of higher number. */
+/* Whether both are the ends of one straight piece: it cannot go on to itself. */
+static bool is_one_piece(const joiner *j, uint32_t a, uint32_t b)
+{
+    return a / 2 == b / 2 && stroke_of(j, a)->n == 2;
+}
+
+/* The pairs of `end` with ends of higher number. Where pieces are shorter than the tolerance, many ends lie near: then
+ * only those that touch count. */
 static bool find_pairs(joiner *j, uint32_t end)
 {
     uint32_t found[MOST_ENDS];
-    size_t n = neighbours(j, end, found);
+    size_t n = neighbours(j, end, j->tolerance, found);
     j->meets[end] = (uint8_t)n;
+    if (n > MOST_ENDS)
+        n = neighbours(j, end, TOUCHING_MM, found);
     if (n > MOST_ENDS)
         return true;
     point out = direction_of(j, end);
     double most = (n == 1 ? TURN_ALONE_DEGREES : TURN_AMONG_DEGREES) * PLB_PI / 180;
     for (size_t i = 0; i < n; i++) {
         point in = direction_of(j, found[i]);
-        pair p = {end, found[i], atan2(fabs(point_cross(out, in)), -point_dot(out, in))};
-        if (found[i] > end && p.turn < most && alike(stroke_of(j, end)->touch, stroke_of(j, found[i])->touch) && !array_push(&j->pairs, p))
+        bool apart = plb_point_distance(place_of(j, end), place_of(j, found[i])) > TOUCHING_MM;
+        pair p = {end, found[i], apart, atan2(fabs(point_cross(out, in)), -point_dot(out, in))};
+        if (found[i] > end && p.turn < most && !is_one_piece(j, end, found[i]) && alike(stroke_of(j, end)->touch, stroke_of(j, found[i])->touch) && !array_push(&j->pairs, p))
             return false;
     }
     return true;
@@ -127,6 +142,8 @@ static bool find_pairs(joiner *j, uint32_t end)
 static int compare_pairs(const void *a, const void *b)
 {
     const pair *x = a, *y = b;
+    if (x->apart != y->apart)
+        return x->apart - y->apart;
     double dx = floor(x->turn * 1e6), dy = floor(y->turn * 1e6); /* rounding noise decides nothing */
     return dx != dy ? (dx > dy) - (dx < dy) : x->a != y->a ? (x->a > y->a) - (x->a < y->a) : (x->b > y->b) - (x->b < y->b);
 }
@@ -167,7 +184,7 @@ static bool is_corner(const joiner *j, uint32_t end)
     uint32_t found[MOST_ENDS];
     if (end & 1 ? s->corner_last : s->corner_first)
         return true;
-    return j->mate[end] == NO_END && j->meets[end] == 1 && neighbours(j, end, found) == 1 && j->mate[found[0]] == NO_END && found[0] / 2 != end / 2 &&
+    return j->mate[end] == NO_END && j->meets[end] == 1 && neighbours(j, end, j->tolerance, found) == 1 && j->mate[found[0]] == NO_END && found[0] / 2 != end / 2 &&
            alike(stroke_of(j, found[0])->touch, s->touch);
 }
 

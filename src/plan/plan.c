@@ -24,7 +24,7 @@
 #define DOT_MM 0.12
 /* Lines closer than this part of the pencil's width are one line (chosen by eye). */
 #define SAME_LINE_WIDTHS 0.2
-/* Shorter scraps that cutting at corners leaves are dropped. */
+/* Shorter scraps are dropped: of the drawing's own lines once pieces of one line have been joined, else at once. */
 #define SHORTEST_STROKE_MM 0.03
 
 typedef struct {
@@ -49,7 +49,7 @@ static bool add_stroke(void *closure, const track *t)
 {
     planner *p = closure;
     stroke_list *out = p->out;
-    if (t->points.n < 2 || plb_track_length(t) < SHORTEST_STROKE_MM)
+    if (t->points.n < 2 || (t->touch.kind != STROKE_LINE && plb_track_length(t) < SHORTEST_STROKE_MM))
         return true;
     if (out->strokes.n >= PLAN_MAX_STROKES || t->points.n > PLAN_MAX_POINTS - out->points.n)
         return plb_fail(p->err, ERROR_LIMIT, "the drawing has more than %u strokes or %u points", PLAN_MAX_STROKES, PLAN_MAX_POINTS);
@@ -235,12 +235,33 @@ plan_options plb_plan_options_default(void)
     return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .seed = 1};
 }
 
-/* All strokes together. */
+/* ---- all strokes together ---- */
+
+static double length_of(const stroke_list *list, const stroke *s)
+{
+    double length = 0;
+    for (size_t k = 1; k < s->n; k++)
+        length += plb_point_distance(list->points.v[s->first + k - 1], list->points.v[s->first + k]);
+    return length;
+}
+
+/* Scraps that nothing went on from. */
+static void drop_scraps(stroke_list *out)
+{
+    size_t kept = 0;
+    for (size_t i = 0; i < out->strokes.n; i++)
+        if (length_of(out, &out->strokes.v[i]) >= SHORTEST_STROKE_MM)
+            out->strokes.v[kept++] = out->strokes.v[i];
+    out->strokes.n = kept;
+}
+
 static bool arrange(stroke_list *out, const plan_options *o, error *err)
 {
     double same = SAME_LINE_WIDTHS * o->pencil_width;
-    return plb_plan_clear(out, o->pencil_width, err) && plb_plan_undouble(out, same, err) && plb_plan_join(out, same, err) && plb_plan_smooth(out, err) &&
-           plb_plan_beside(out, err) && plb_plan_meet(out, err) && plb_plan_habits(out, o, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
+    if (!plb_plan_clear(out, o->pencil_width, err) || !plb_plan_undouble(out, same, err) || !plb_plan_join(out, same, err))
+        return false;
+    drop_scraps(out);
+    return plb_plan_smooth(out, err) && plb_plan_beside(out, err) && plb_plan_meet(out, err) && plb_plan_habits(out, o, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
 }
 
 static void report(const planner *p, const messenger *say)

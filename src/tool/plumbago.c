@@ -355,6 +355,16 @@ static bool ends_with(const char *name, const char *suffix)
     return n > m && !strcasecmp(name + n - m, suffix);
 }
 
+/* A name that promises another format than we write. */
+static const char *refuse_format(const settings *s)
+{
+    static const char *const foreign[] = {".jpg", ".jpeg", ".gif", ".bmp", ".webp", ".tif", ".tiff", ".svg", ".svgz", ".eps", ".ps", ".dxf"};
+    for (size_t i = 0; s->output && s->dump < 0 && i < sizeof foreign / sizeof *foreign; i++)
+        if (ends_with(s->output, foreign[i]))
+            return "the result is PNG or PDF: end the name given to -o in .png or .pdf";
+    return NULL;
+}
+
 /* The suffix says what is written. */
 static bool write_result(const settings *s, const plb_drawing *d, const char *to, plb_error *e)
 {
@@ -490,9 +500,12 @@ static bool names_collide(const settings *s, char *const inputs[], size_t n, cha
     return twice != NULL;
 }
 
-/* Several drawings need names of their own. */
+/* The result has a format that we write, and of several drawings each needs a name of its own. */
 static const char *refuse_names(const settings *s, char *const inputs[], int n, char *text, size_t room)
 {
+    const char *format = refuse_format(s);
+    if (format)
+        return format;
     bool on_one_stream = is_text(s) && (!s->output || !strcmp(s->output, "-"));
     if (n < 2 || on_one_stream)
         return NULL;

@@ -195,6 +195,22 @@ static void level_clip_edges_cut_every_line(void)
     clean(&s);
 }
 
+/* As exporters that flatten finely leave them, each piece an item of its own. */
+static void the_finest_pieces_make_one_line(void)
+{
+    static const double pieces[] = {.005, .01, .025, .035, .06, .1, .7};
+    for (size_t k = 0; k < sizeof pieces / sizeof *pieces; k++) {
+        setup s = page(100, 100);
+        for (int i = 0; i < 40 / pieces[k]; i++) {
+            double x = 10 + i * pieces[k];
+            add(&s, ITEM_STROKE, (const double[]){x, 50, x + pieces[k], 50}, 2);
+        }
+        CHECK(plan(&s) == 1);
+        CHECK_RANGE(length_of(&s, 0), 39.8, 41);
+        clean(&s);
+    }
+}
+
 static void fills_close_their_subpaths(void)
 {
     setup s = page(100, 100);
@@ -640,6 +656,7 @@ int main(void)
     RUN(mad_dashes_are_bounded);
     RUN(clips_keep_every_piece);
     RUN(level_clip_edges_cut_every_line);
+    RUN(the_finest_pieces_make_one_line);
     RUN(fills_close_their_subpaths);
     RUN(even_odd_clips_have_holes);
     RUN(the_page_clips);
