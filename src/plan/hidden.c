@@ -6,11 +6,13 @@
  * What hides is a fill, or a line much wider than the pencil's, whose paint is opaque; white counts: a program blots
  * out with it. Areas are kept in a tree of boxes (sorted by Morton code and packed bottom up, eight to a node), each
  * node with the latest item below it, so that a question passes by all that lies elsewhere or earlier.
- * An area's region is made when a question first reaches it.
+ * An area's region is made when a question first reaches it. Before that a raster of what covers its cells whole
+ * (topmost.h) tells most of what is hidden, so that only lines near to what is seen are cut exactly.
  */
 #include "plan/hidden.h"
 
 #include "plan/cut.h"
+#include "plan/topmost.h"
 #include "plan/weight.h"
 #include "plan/wide.h"
 
@@ -24,7 +26,7 @@
 /* Boxes to a node of the tree. */
 #define FAN 8
 /* The most looks at edges for one drawing, some seconds of them: beyond, nothing more is cut. */
-#define MOST_WORK 2e8
+#define MOST_WORK 5e7
 
 typedef struct {
     box bounds;
@@ -46,6 +48,8 @@ struct cover {
     ARRAY(area) areas;
     ARRAY(node) nodes; /* level after level, the areas' own boxes first */
     size_t level[12], levels; /* where each level starts; FAN to the power of 12 is beyond LIST_MAX_ITEMS */
+    topmost *raster; /* NULL where nothing hides */
+    bool *hidden;    /* of each item: no need to look at it */
     double work;
     size_t asks; /* the item that asks */
     bool later;  /* what comes after it counts; else what came before: set by each question, as the sinks ask others */
@@ -140,6 +144,55 @@ static bool build(cover *c)
     return true;
 }
 
+/* ---- what is hidden as a whole ---- */
+
+/* Whether the item's clips are upright boxes, so that its box within them says all. */
+static bool has_box_clips(const cover *c, const item *it)
+{
+    for (int k = it->clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {
+        const region *r = plb_clipper_region(c->clips, k, c->err);
+        if (!r || !plb_region_is_box(r))
+            return false;
+    }
+    return true;
+}
+
+static bool look_at_shape(cover *c, size_t i, box within)
+{
+    const item *it = &c->list->items.v[i];
+    bool covers = hides(it, c->how) && has_box_clips(c, it);
+    if (it->kind == ITEM_FILL)
+        return plb_topmost_add(c->raster, &it->path, it->even_odd, within, covers, i, &c->hidden[i], c->err);
+    path outline = {0};
+    bool ok = !covers || (plb_wide_outline(it, &outline, c->err) && plb_topmost_add(c->raster, &outline, false, within, covers, i, &c->hidden[i], c->err));
+    plb_path_free(&outline);
+    return ok;
+}
+
+/* From the last item to the first. */
+static bool find_hidden(cover *c)
+{
+    const display_list *list = c->list;
+    if (c->areas.n == 0)
+        return true;
+    c->raster = plb_topmost_new(list->width, list->height, c->areas.n);
+    c->hidden = plb_new(list->items.n, sizeof *c->hidden);
+    bool ok = c->raster && c->hidden;
+    for (size_t i = list->items.n; ok && i-- > 0;) {
+        box b = reach_of(list, &list->items.v[i]);
+        if (b.x0 > b.x1 || b.y0 > b.y1)
+            continue; /* beside the page */
+        c->hidden[i] = plb_topmost_hides_box(c->raster, b);
+        ok = c->hidden[i] || look_at_shape(c, i, b);
+    }
+    return ok;
+}
+
+bool plb_cover_hides_item(const cover *c, size_t i)
+{
+    return c->hidden && c->hidden[i];
+}
+
 cover *plb_cover_new(const display_list *list, const plan_options *o, clipper *clips, error *err)
 {
     cover *c = plb_new(1, sizeof *c);
@@ -152,7 +205,7 @@ cover *plb_cover_new(const display_list *list, const plan_options *o, clipper *c
     }
     for (size_t i = 0; ok && i < list->items.n; i++)
         ok = !hides(&list->items.v[i], o) || add_area(c, i);
-    if (ok && build(c))
+    if (ok && build(c) && find_hidden(c))
         return c;
     plb_cover_free(c);
     plb_fail_memory(err);
@@ -167,6 +220,8 @@ void plb_cover_free(cover *c)
         plb_region_free(c->areas.v[i].region);
     array_free(&c->areas);
     array_free(&c->nodes);
+    plb_topmost_free(c->raster);
+    plb_free(c->hidden);
     plb_free(c);
 }
 
@@ -327,6 +382,41 @@ static bool stop(cover *c, area *a, void *closure)
     return false;
 }
 
+/* ---- cutting: first by the raster, what is left exactly ---- */
+
+static bool cross_raster(const void *of, point from, point to, crossings *at)
+{
+    const cover *c = of;
+    return plb_topmost_cross(c->raster, c->asks, from, to, at);
+}
+
+static bool is_open(const void *of, point p)
+{
+    const cover *c = of;
+    return !plb_topmost_is_over(c->raster, c->asks, p);
+}
+
+typedef struct {
+    cut_rule rule;
+    track_sink sink;
+    void *closure;
+    error *err;
+} exact_cut;
+
+static bool cut_exactly(void *closure, const track *t)
+{
+    const exact_cut *k = closure;
+    return plb_plan_cut(&k->rule, t, k->sink, k->closure, k->err);
+}
+
+static bool cut_twice(cover *c, size_t i, const track *t, exact_cut *second)
+{
+    cut_rule first = {cross_raster, is_open, c};
+    c->asks = i;
+    c->err = second->err;
+    return c->raster ? plb_plan_cut(&first, t, cut_exactly, second, second->err) : cut_exactly(second, t);
+}
+
 bool plb_plan_hide(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err)
 {
     c->asks = i;
@@ -334,16 +424,14 @@ bool plb_plan_hide(cover *c, size_t i, const track *t, track_sink sink, void *cl
     c->err = err;
     if (visit_all(c, plb_track_bounds(t), stop, NULL)) /* nothing near */
         return sink(closure, t);
-    cut_rule rule = {cross_above, sees, c};
-    return plb_plan_cut(&rule, t, sink, closure, err);
+    exact_cut exact = {{cross_above, sees, c}, sink, closure, err};
+    return cut_twice(c, i, t, &exact);
 }
 
 bool plb_plan_fuse(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err)
 {
     if (!is_opaque(&c->list->items.v[i]))
         return sink(closure, t);
-    c->asks = i;
-    c->err = err;
-    cut_rule rule = {cross_below, stands_out, c};
-    return plb_plan_cut(&rule, t, sink, closure, err);
+    exact_cut exact = {{cross_below, stands_out, c}, sink, closure, err};
+    return cut_twice(c, i, t, &exact);
 }

@@ -215,7 +215,7 @@ static bool draw_item(planner *p, size_t i)
     p->index = i;
     bool is_drawn = p->is_drawn;
     p->is_drawn = false;
-    if (!plb_leaves_mark(p->it) || is_drawn)
+    if (!plb_leaves_mark(p->it) || is_drawn || plb_cover_hides_item(p->cover, i))
         return true;
     p->outlined = is_outlined(p->list, i);
     return p->it->kind == ITEM_STROKE ? draw_line(p) : draw_fill(p);
