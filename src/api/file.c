@@ -56,7 +56,7 @@ static input_source source_of(const plb_file *f, const plb_options *o, const api
 {
     return (input_source){.name = f->name, .data = f->data, .size = f->size, .helper_dir = o->helper_dir,
                           .say = plb_api_messenger(adaptor), .page = o->page,
-                          .limits = {o->limit_time, (size_t)o->limit_memory << 20}};
+                          .limits = {.seconds = o->limit_time, .memory = (size_t)o->limit_memory << 20}};
 }
 
 unsigned plb_file_pages(const plb_file *f, const plb_options *o, plb_error *failed)

@@ -89,9 +89,9 @@ PLB_API plb_profile *plb_profile_capture(const char *const scans[], size_t n, co
 /* Writes `file`, complete or not at all. */
 PLB_API bool plb_profile_save(const plb_profile *profile, const char *file, plb_error *error);
 /* Writes the numbers as text to `to`. False when writing fails. */
-PLB_API bool plb_profile_show(const plb_profile *profile, FILE *to, plb_error *error);
+PLB_API bool plb_profile_show(const plb_profile *profile, FILE *stream, plb_error *error);
 /* Writes how two profiles differ as text to `to`. */
-PLB_API bool plb_profile_compare(const plb_profile *a, const plb_profile *b, FILE *to, plb_error *error);
+PLB_API bool plb_profile_compare(const plb_profile *a, const plb_profile *b, FILE *stream, plb_error *error);
 /* Writes histograms, cross-section and co-occurrence matrix as a picture (PNG), complete or not at all. */
 PLB_API bool plb_profile_plot(const plb_profile *profile, const char *file, plb_error *error);
 

@@ -80,9 +80,25 @@ void plb_gradient_add_stop(gradient *g, gradient_stop stop)
     g->stops[g->n++] = stop;
 }
 
+static bool same_stop(const gradient_stop *a, const gradient_stop *b)
+{
+    return a->offset == b->offset && a->red == b->red && a->green == b->green && a->blue == b->blue && a->alpha == b->alpha;
+}
+
+/* Member by member: the bytes between members are anything. */
+static bool same(const gradient *a, const gradient *b)
+{
+    bool all = a->radial == b->radial && a->extend == b->extend && a->n == b->n && a->opacity == b->opacity &&
+               !memcmp(&a->to_space, &b->to_space, sizeof a->to_space) && !memcmp(&a->from, &b->from, sizeof a->from) &&
+               !memcmp(&a->to, &b->to, sizeof a->to) && a->from_radius == b->from_radius && a->to_radius == b->to_radius;
+    for (unsigned i = 0; all && i < a->n; i++)
+        all = same_stop(&a->stops[i], &b->stops[i]);
+    return all;
+}
+
 bool plb_list_add_gradient(display_list *list, const gradient *g, unsigned *index, error *err)
 {
-    if (list->gradients.n && !memcmp(&list->gradients.v[list->gradients.n - 1], g, sizeof *g)) {
+    if (list->gradients.n && same(&list->gradients.v[list->gradients.n - 1], g)) {
         *index = (unsigned)list->gradients.n;
         return true;
     }

@@ -26,7 +26,7 @@ static int compare(const void *a, const void *b)
 /* The lower third of the radii along the branch: thickness where it is alone. */
 static double usual_radius(const medial *m, const medial_branch *b)
 {
-    double some[33];
+    double some[33] = {0}; /* a branch of no points has no radius */
     size_t n = b->n < 33 ? b->n : 33;
     for (size_t i = 0; i < n; i++)
         some[i] = m->points.v[b->first + (n > 1 ? i * (b->n - 1) / (n - 1) : 0)].radius;

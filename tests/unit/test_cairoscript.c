@@ -6,6 +6,8 @@
 
 #include "input/cairoscript.h"
 
+#include <string.h>
+
 #define HEAD "%%Plumbago-tap 1 100 50 0.1 0 0 0.1 0 0 0 0 0\n%!CairoScript\n<< /content //COLOR_ALPHA /width 1000 /height 500 >> surface context\n"
 
 /* A text given in pieces, as a pipe gives it. */
@@ -284,6 +286,28 @@ static void gradients_move_with_their_group(void)
     plb_list_free(&list);
 }
 
+/* Copies of one gradient need not agree in the bytes between members. */
+static void equal_gradients_are_kept_once(void)
+{
+    static gradient made[2];
+    unsigned index[3] = {0};
+    display_list list;
+    error err = {ERROR_NONE, ""};
+    for (int i = 0; i < 2; i++) {
+        memset(&made[i], i ? 0xff : 0, sizeof made[i]);
+        gradient *g = &made[i];
+        g->radial = false, g->extend = GRADIENT_PAD, g->n = 0, g->opacity = 1;
+        g->to_space = (matrix){0}, g->from = g->to = (point){0, 0}, g->from_radius = g->to_radius = 0;
+        plb_gradient_add_stop(g, (gradient_stop){0, 1, 0, 0, 1});
+    }
+    plb_list_init(&list);
+    CHECK(plb_list_add_gradient(&list, &made[0], &index[0], &err) && plb_list_add_gradient(&list, &made[1], &index[1], &err));
+    made[1].stops[0].red = 0.5f;
+    CHECK(plb_list_add_gradient(&list, &made[1], &index[2], &err));
+    CHECK(index[0] == 1 && index[1] == 1 && index[2] == 2);
+    plb_list_free(&list);
+}
+
 int main(void)
 {
     RUN(page_and_stroke);
@@ -302,5 +326,6 @@ int main(void)
     RUN(deep_stacks_meet_a_limit);
     RUN(gradients_have_colours_at_places);
     RUN(gradients_move_with_their_group);
+    RUN(equal_gradients_are_kept_once);
     CHECK_EXIT;
 }
