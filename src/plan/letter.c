@@ -7,6 +7,8 @@
  */
 #include "plan/letter.h"
 
+#include "plan/wide.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -25,6 +27,7 @@
 #define BAR 5.0              /* a quadrangle this much longer than wide is a line */
 #define DETAIL_PENCILS 0.12  /* what sticks out less than this is not drawn */
 #define NIB_PENCILS 0.5      /* a stroke ends half of this before the tip */
+#define BOLD_PENCILS 1.6     /* broader strokes are made of passes side by side */
 
 typedef struct {
     const plan_options *how;
@@ -34,6 +37,8 @@ typedef struct {
     float pressure;
     size_t letters; /* parts that are no dots */
     ARRAY(track) tracks;
+    ARRAY(double) breadths; /* of each track's stroke, mm; 0: the pencil's */
+    double breadth;         /* of the part at work */
 } lettering;
 
 static double stem_of(const letter_part *p)
@@ -89,7 +94,7 @@ static bool add_track(lettering *l, const raster *r, const pen *p, const pen_str
         pen_point at = p->points.v[s->first + i];
         ok = push_point(&t, point_add(r->origin, point_scale(at.at, r->pixel)), at.corner);
     }
-    ok = ok && array_push(&l->tracks, t);
+    ok = ok && array_push(&l->breadths, l->breadth) && array_push(&l->tracks, t);
     if (!ok)
         array_free(&t.points);
     return ok;
@@ -106,7 +111,7 @@ static bool add_dot(lettering *l, box b)
         double a = -PLB_PI / 2 - (i % 12) * PLB_PI / 6;
         ok = push_point(&t, (point){middle.x + radius * cos(a), middle.y + radius * sin(a)}, false);
     }
-    ok = ok && array_push(&l->tracks, t);
+    ok = ok && array_push(&l->breadths, 0.0) && array_push(&l->tracks, t);
     if (!ok)
         array_free(&t.points);
     return ok;
@@ -141,7 +146,8 @@ static bool add_bar(lettering *l, point from, point to, double width)
 {
     track t = {.touch = {l->pressure, 0, STROKE_LETTER}};
     double off = fmin(NIB_PENCILS * l->how->pencil_width, width) / 2 / plb_point_distance(from, to);
-    bool ok = push_point(&t, point_mix(from, to, off), false) && push_point(&t, point_mix(to, from, off), false) && array_push(&l->tracks, t);
+    bool ok = push_point(&t, point_mix(from, to, off), false) && push_point(&t, point_mix(to, from, off), false) &&
+              array_push(&l->breadths, width) && array_push(&l->tracks, t);
     if (!ok)
         array_free(&t.points);
     l->letters++;
@@ -197,6 +203,7 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
     if (*taken && compact)
         *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->how->pencil_width);
     size_t before = l->tracks.n;
+    l->breadth = stem;
     if (*taken && !is_dot(l, part->bounds, compact))
         ok = draw_axis(l, &r, stem, err);
     if (ok && *taken && l->tracks.n == before) /* of a comma there is a line */
@@ -246,6 +253,30 @@ static void turn_by_hand(track *t)
         reverse(t);
 }
 
+/* A broad stroke keeps its weight. */
+typedef struct {
+    const touch *touch;
+    track_sink sink;
+    void *closure;
+} bold;
+
+static bool send_pass(void *closure, const track *t)
+{
+    const bold *b = closure;
+    track touched = *t;
+    touched.touch = *b->touch;
+    return b->sink(b->closure, &touched);
+}
+
+static bool send_stroke(const lettering *l, size_t i, const item *fill, track_sink sink, void *closure, error *err)
+{
+    const track *t = &l->tracks.v[i];
+    if (l->breadths.v[i] <= BOLD_PENCILS * l->how->pencil_width)
+        return sink(closure, t);
+    item broad = {.kind = ITEM_STROKE, .paint = fill->paint, .width = l->breadths.v[i], .cap = LINE_CAP_BUTT};
+    return plb_plan_passes(&broad, t, l->how, send_pass, &(bold){&t->touch, sink, closure}, err);
+}
+
 bool plb_plan_letter(const item *fill, const plan_options *o, bool *taken, track_sink sink, void *closure, error *err)
 {
     lettering l = {.how = o};
@@ -258,11 +289,12 @@ bool plb_plan_letter(const item *fill, const plan_options *o, bool *taken, track
     bool ok = draw_parts(&l, &parts, taken, err);
     for (size_t i = 0; i < l.tracks.n; i++) {
         turn_by_hand(&l.tracks.v[i]);
-        ok = ok && (!*taken || sink(closure, &l.tracks.v[i]));
+        ok = ok && (!*taken || send_stroke(&l, i, fill, sink, closure, err));
     }
     for (size_t i = 0; i < l.tracks.n; i++)
         array_free(&l.tracks.v[i].points);
     array_free(&l.tracks);
+    array_free(&l.breadths);
     plb_letter_parts_free(&parts);
     return ok;
 }

@@ -85,7 +85,9 @@ void plb_medial_free(medial *m);
 /* medial_graph.c: the graph of a thinned raster. */
 bool plb_medial_graph(medial *m, const raster *r, error *err);
 
-/* medial_arm.c: a branch seen from one of its ends. */
+/* medial_arm.c: a branch seen from one of its ends. Its direction is taken over so many radii (chosen by eye: long enough
+ * for pixels, short enough for bowls). */
+#define ARM_REACH 2.5
 typedef struct {
     int node;
     size_t cut;      /* index into medial.points where the joint's or end's influence is over */

@@ -12,8 +12,6 @@
 /* Thicker than the branch's usual radius by this: grown together with another (chosen by eye). */
 #define GROWN 1.15
 #define TIP 1.6
-/* A direction is taken over this many radii (chosen by eye: long enough for pixels, short enough for bowls). */
-#define REACH 2.5
 /* At most this part of a branch is given to the joint at one end. */
 #define MOST 0.4
 
@@ -55,7 +53,7 @@ medial_arm plb_medial_arm(const medial *m, const medial_branch *b, int end)
     a.cut = i;
     a.anchor = p[i].at;
     size_t far = i;
-    while (far != last && plb_point_distance(p[far].at, a.anchor) < REACH * a.radius)
+    while (far != last && plb_point_distance(p[far].at, a.anchor) < ARM_REACH * a.radius)
         far += (size_t)a.step;
     if (far == i) /* nothing is left of it: from the node */
         a.anchor = node->at, a.outward = point_sub(p[last].at, node->at);

@@ -89,10 +89,21 @@ static point meeting_point(const joiner *j, const int *arm, int n, int node)
     return off > most ? here : at;
 }
 
+/* A ring turns by itself: what an even one turns between the places where the directions of its two ends are taken. */
+static double turn_of_ring(const joiner *j, const int *arm, int node)
+{
+    const medial_arm *a = &j->arms[arm[0]].arm, *b = &j->arms[arm[1]].arm;
+    point here = j->m->nodes.v[node].at;
+    if (arm[0] / 2 != arm[1] / 2)
+        return 0;
+    double part = plb_point_distance(a->anchor, here) + plb_point_distance(b->anchor, here) + ARM_REACH * a->radius;
+    return fmin(2 * PLB_PI * part / j->m->branches.v[arm[0] / 2].length, PLB_PI / 2);
+}
+
 static void make_corner(joiner *j, const int *arm, int node)
 {
     const medial_arm *a = &j->arms[arm[0]].arm, *b = &j->arms[arm[1]].arm;
-    if (plb_medial_arms_bend(a, b) < SMOOTH_DEGREES * PLB_PI / 180) {
+    if (plb_medial_arms_bend(a, b) - turn_of_ring(j, arm, node) < SMOOTH_DEGREES * PLB_PI / 180) {
         set_pair(j, arm[0], arm[1], TO_ARM, a->anchor);
         return;
     }

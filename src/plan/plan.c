@@ -24,6 +24,8 @@
 #define DOT_MM 0.12
 /* Lines closer than this part of the pencil's width are one line (chosen by eye). */
 #define SAME_LINE_WIDTHS 0.2
+/* A hatch line ends this part of the pencil's width before what hides it (chosen by eye). */
+#define NIB_WIDTHS 0.35
 /* Shorter scraps are dropped: of the drawing's own lines once pieces of one line have been joined, else at once. */
 #define SHORTEST_STROKE_MM 0.03
 
@@ -74,12 +76,32 @@ static bool calm(void *closure, const track *t)
     return t->touch.kind == STROKE_LINE ? plb_plan_calm(t, p->how->pencil_width, cut_at_corners, p, p->err) : cut_at_corners(p, t);
 }
 
-/* Of hatching and of passes no scraps are left where something hides the rest. */
+static point drawn_back(point end, point towards, double by)
+{
+    return point_mix(end, towards, by / plb_point_distance(end, towards));
+}
+
+/* Of hatching and of passes no scraps are left where something hides the rest, and the line's width stays outside it: thin
+ * white letters would else be closed. */
 static bool leave_out_scraps(void *closure, const track *t)
 {
     planner *p = closure;
-    bool is_scrap = t != p->whole && t->touch.kind == STROKE_HATCH && plb_track_length(t) < p->how->pencil_width;
-    return is_scrap || calm(p, t);
+    if (t == p->whole || t->touch.kind != STROKE_HATCH)
+        return calm(p, t);
+    if (plb_track_length(t) < p->how->pencil_width)
+        return true;
+    size_t n = t->points.n, last = p->whole->points.n - 1;
+    track_point ends[2] = {t->points.v[0], t->points.v[n - 1]};
+    track kept = *t;
+    if (n != 2)
+        return cut_at_corners(p, t);
+    double by = NIB_WIDTHS * p->how->pencil_width;
+    if (plb_point_distance(ends[0].at, p->whole->points.v[0].at) > SAME_POINT_MM)
+        ends[0].at = drawn_back(t->points.v[0].at, t->points.v[1].at, by);
+    if (plb_point_distance(ends[1].at, p->whole->points.v[last].at) > SAME_POINT_MM)
+        ends[1].at = drawn_back(t->points.v[1].at, t->points.v[0].at, by);
+    kept.points.v = ends;
+    return cut_at_corners(p, &kept);
 }
 
 static bool leave_out_hidden(void *closure, const track *t)
