@@ -17,10 +17,14 @@
 
 /* ---- the sequence ---- */
 
+/* By chance a sequence of this length correlates with itself by some .02, and all strokes would show it across. Of the first
+ * thousand orders this has the least: below .0073 at 1 to 6 numbers apart, its squares below .03. */
+#define ORDER 405
+
 /* Every other normal number once, in random order: mean and variance are exact. */
 static void shuffle(const grain_tables *t, float out[NOISE_LENGTH])
 {
-    uint64_t key = random_key(0, 0, PURPOSE_GRAIN);
+    uint64_t key = random_key(0, ORDER, PURPOSE_GRAIN);
     for (int k = 0; k < NOISE_LENGTH; k++)
         out[k] = t->normal[k * (GRAIN_NORMALS / NOISE_LENGTH) + k % 2]; /* alternately, so that no side is preferred */
     for (int k = NOISE_LENGTH - 1; k > 0; k--) {
