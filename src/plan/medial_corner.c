@@ -18,7 +18,7 @@
 
 /* What lies on one side of a point of a branch. */
 typedef struct {
-    point near, far;
+    point near, middle, far;
     double thickest; /* radius between the two */
     bool whole;      /* false: the branch ends before the far point */
 } side;
@@ -27,11 +27,13 @@ static side look(const medial *m, const medial_branch *b, size_t i, int step)
 {
     const medial_point *p = m->points.v + b->first;
     double r = p[i].radius, gone = 0;
-    side s = {.near = p[i].at};
+    side s = {.near = p[i].at, .middle = p[i].at};
     while (gone < FAR * r && (step > 0 ? i + 1 < b->n : i > 0)) {
         size_t next = step > 0 ? i + 1 : i - 1;
         gone += plb_point_distance(p[i].at, p[next].at);
         i = next;
+        if (gone < (NEAR + FAR) / 2 * r)
+            s.middle = p[i].at;
         if (gone < NEAR * r)
             s.near = p[i].at;
         else
@@ -42,7 +44,14 @@ static side look(const medial *m, const medial_branch *b, size_t i, int step)
     return s;
 }
 
-/* The turn between the sides of a point, radians, and the unit vector out of it. Too near to an end there is none; to a
+/* How much the side itself bends from its nearer half to its farther one, radians, to the right of its way outward. */
+static double bend_of(const side *s)
+{
+    point a = point_sub(s->middle, s->near), b = point_sub(s->far, s->middle);
+    return atan2(point_cross(a, b), point_dot(a, b));
+}
+
+/* The turn between the sides of a point less what they bend themselves, as around a bowl, radians, and the unit vector out of it. Too near to an end there is none; to a
  * joint or another corner, sooner. */
 static double turn_at(const medial *m, const medial_branch *b, double r, const side *before, const side *after, point *out)
 {
@@ -56,7 +65,9 @@ static double turn_at(const medial *m, const medial_branch *b, double r, const s
     *out = point_scale(point_add(in, on), -1);
     double length = plb_point_length(*out);
     *out = length > 1e-6 ? point_scale(*out, 1 / length) : (point){in.y, -in.x};
-    return acos(fmax(-1, fmin(1, -point_dot(in, on))));
+    double turn = atan2(point_cross(point_scale(in, -1), on), -point_dot(in, on));
+    double bends = bend_of(after) - bend_of(before); /* going through the point from before to after */
+    return fmax(0, turn > 0 ? turn - fmax(0, bends) : -turn - fmax(0, -bends));
 }
 
 static double reach(const raster *r, point from, point along)
