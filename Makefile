@@ -123,6 +123,11 @@ check: packages-check
 check-only: all $(tests_bin) examples
 	$(Q)tests/run $(O) $(TESTS)
 
+# What takes longer than one likes to wait. LOAD=N: how many drawings are made while make is killed.
+.PHONY: check-long
+check-long:
+	+$(Q)$(MAKE) --no-print-directory check-only TESTS="$(wildcard tests/long/*.sh)"
+
 # The build in which a test decides which allocations fail (tests/allocations.sh).
 .PHONY: failing
 failing: $(O)/tests/failing/test_allocations
@@ -212,6 +217,7 @@ help:
 	@echo 'make            programs and library, in build/release'
 	@echo 'make demo       installs the packages that are missing, builds, draws a drawing with eight pencils'
 	@echo 'make check      installs the packages that are missing, builds, runs all tests'
+	@echo 'make check-long valgrind, and drawings made while make is killed (Debian: valgrind)'
 	@echo 'make fuzz       fuzzers of the readers, in build/fuzz (clang)'
 	@echo 'make bench      speed, as ratios to rsvg-convert'
 	@echo 'make figures    the figures of the papers, in build/figures'
