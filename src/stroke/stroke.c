@@ -41,6 +41,9 @@ static double pressure_of(const stroke *s, const stroke_options *o)
     return o->pressure > 0 ? own * o->pressure : own;
 }
 
+/* A stroke no longer than this is a dot: the point is pressed down, not drawn along (chosen by eye). */
+#define DOT_MM 0.25
+
 /* The pencil is lifted only where the line ends, not at a corner; in hatching it comes down while the hand moves already,
  * in lettering it stands still at both ends. */
 static grain_ends ends_of(const path_samples *path, const stroke *s, const stroke_options *o)
@@ -53,7 +56,10 @@ static grain_ends ends_of(const path_samples *path, const stroke *s, const strok
         return (grain_ends){GRAIN_JOINT, GRAIN_JOINT, first, last, careful};
     if (s->touch.kind == STROKE_HATCH)
         free_first = free_last = GRAIN_LEAVE;
-    if (careful)
+    bool dot = path->n > 0 && path->v[path->n - 1].along <= DOT_MM;
+    if (dot)
+        free_first = free_last = GRAIN_CORNER;
+    else if (careful)
         free_first = free_last = GRAIN_START;
     return (grain_ends){s->corner_first ? GRAIN_CORNER : free_first, s->corner_last ? GRAIN_CORNER : free_last, first, last, careful};
 }
