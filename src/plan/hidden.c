@@ -26,7 +26,7 @@
 /* Boxes to a node of the tree. */
 #define FAN 8
 /* The most looks at edges for one drawing, some seconds of them: beyond, nothing more is cut. */
-#define MOST_WORK 5e7
+#define MOST_WORK 2e8
 
 typedef struct {
     box bounds;

@@ -13,7 +13,7 @@
 
 /* A cell that comes this near to an edge is not covered: a line on an edge stays (as in hidden.c). */
 #define EDGE_MARGIN_MM 0.05
-/* Cells along the longer side: so many times the root of the number of areas, within bounds (by measurement). */
+/* Cells along the longer side: so many times the root of the number of areas, within bounds (by estimate). */
 #define CELLS_PER_ROOT 16
 #define CELLS_LEAST 64
 #define CELLS_MOST 1024
