@@ -249,7 +249,7 @@ static bool pool(const capture *c, profile *p, error *err)
     p->dpi = c->dpi;
     p->paper = pooled_paper(c);
     quantise(p);
-    if (p->min_mid < 0 || p->min_range < 0 || p->width_half <= 0 || p->width_tenth < p->width_half)
+    if (pairs == 0 || p->min_mid < 0 || p->min_range < 0 || p->width_half <= 0 || p->width_tenth < p->width_half)
         return plb_fail(err, ERROR_ARGUMENT, "the lines are too faint or too wide to be measured");
     return true;
 }
