@@ -60,6 +60,11 @@ double plb_point_length(point a)
     return sqrt(a.x * a.x + a.y * a.y);
 }
 
+bool plb_point_is_steep(point way)
+{
+    return fabs(way.y) > 1.7320508 * fabs(way.x);
+}
+
 double plb_point_distance(point a, point b)
 {
     return plb_point_length(point_sub(a, b));

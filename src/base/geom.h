@@ -47,6 +47,8 @@ static inline double point_dot(point a, point b) { return a.x * b.x + a.y * b.y;
 static inline double point_cross(point a, point b) { return a.x * b.y - a.y * b.x; }
 double plb_point_length(point a);
 double plb_point_distance(point a, point b);
+/* More than 60 degrees from level: such lines a hand draws downward, others across (chosen by eye). */
+bool plb_point_is_steep(point way);
 
 void plb_box_add(box *b, point p);
 bool plb_box_is_empty(box b);

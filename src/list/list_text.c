@@ -161,3 +161,11 @@ void plb_stroke_list_free(stroke_list *s)
     array_free(&s->strokes);
     array_free(&s->points);
 }
+
+double plb_stroke_length(const stroke_list *list, const stroke *s)
+{
+    double sum = 0;
+    for (size_t i = s->first + 1; i < s->first + s->n; i++)
+        sum += plb_point_distance(list->points.v[i - 1], list->points.v[i]);
+    return sum;
+}

@@ -46,6 +46,8 @@ typedef struct {
 } stroke_list;
 
 void plb_stroke_list_free(stroke_list *s);
+/* Along its points, mm. */
+double plb_stroke_length(const stroke_list *list, const stroke *s);
 /* The text form: one stroke a line after a head line; plumbago(1), --dump=strokes. False on a write error. */
 bool plb_stroke_list_print(const stroke_list *s, FILE *to);
 

@@ -222,8 +222,7 @@ static double length_of_all(const stroke_list *list)
 {
     double sum = 0;
     for (size_t i = 0; i < list->strokes.n; i++)
-        for (size_t k = 1; k < list->strokes.v[i].n; k++)
-            sum += plb_point_distance(list->points.v[list->strokes.v[i].first + k - 1], list->points.v[list->strokes.v[i].first + k]);
+        sum += plb_stroke_length(list, &list->strokes.v[i]);
     return sum;
 }
 

@@ -35,14 +35,6 @@ typedef struct {
     ARRAY(point) copy;
 } habits;
 
-static double length_of(const stroke_list *list, const stroke *s)
-{
-    double sum = 0;
-    for (size_t i = s->first + 1; i < s->first + s->n; i++)
-        sum += plb_point_distance(list->points.v[i - 1], list->points.v[i]);
-    return sum;
-}
-
 static uint64_t key_of(const habits *h, const stroke *s)
 {
     uint64_t hash = s->n;
@@ -68,7 +60,7 @@ static void pass_corner(point *at, point next, double by)
 static void overshoot(habits *h, stroke *s)
 {
     uint64_t key = key_of(h, s);
-    double most = fmin(h->o->overshoot, OVERSHOOT_OF_STROKE * length_of(h->list, s));
+    double most = fmin(h->o->overshoot, OVERSHOOT_OF_STROKE * plb_stroke_length(h->list, s));
     point *v = h->list->points.v + s->first;
     if (s->corner_first && random_unit(key, 0) > OVERSHOOT_NONE) {
         pass_corner(&v[0], v[1], OVERSHOOT_AT_BEGIN * most * between(key, 1, 1 - OVERSHOOT_SPREAD, 1));
@@ -93,7 +85,7 @@ static bool restate(habits *h, size_t i)
 {
     stroke *s = &h->list->strokes.v[i];
     uint64_t key = key_of(h, s);
-    if (random_unit(key, 10) >= h->o->restate || length_of(h->list, s) < RESTATE_LONG_MM)
+    if (random_unit(key, 10) >= h->o->restate || plb_stroke_length(h->list, s) < RESTATE_LONG_MM)
         return true;
     stroke again = *s;
     again.corner_first = again.corner_last = false;

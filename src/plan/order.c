@@ -48,11 +48,11 @@ static void reverse(stroke_list *list, stroke *s)
     s->corner_last = corner;
 }
 
-/* Left to right; lines steeper than 60 degrees from the top down. */
+/* Left to right; steep lines from the top down. */
 static bool is_pulled(point from, point to)
 {
-    double dx = to.x - from.x, dy = to.y - from.y;
-    return fabs(dy) > 1.7320508 * fabs(dx) ? dy > 0 : dx > 0;
+    point way = point_sub(to, from);
+    return plb_point_is_steep(way) ? way.y > 0 : way.x > 0;
 }
 
 /* Lines and guides start at their natural end. Curves that come back near where they began are drawn as they are. */

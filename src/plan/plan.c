@@ -259,20 +259,12 @@ plan_options plb_plan_options_default(void)
 
 /* ---- all strokes together ---- */
 
-static double length_of(const stroke_list *list, const stroke *s)
-{
-    double length = 0;
-    for (size_t k = 1; k < s->n; k++)
-        length += plb_point_distance(list->points.v[s->first + k - 1], list->points.v[s->first + k]);
-    return length;
-}
-
 /* Scraps that nothing went on from. */
 static void drop_scraps(stroke_list *out)
 {
     size_t kept = 0;
     for (size_t i = 0; i < out->strokes.n; i++)
-        if (length_of(out, &out->strokes.v[i]) >= SHORTEST_STROKE_MM)
+        if (plb_stroke_length(out, &out->strokes.v[i]) >= SHORTEST_STROKE_MM)
             out->strokes.v[kept++] = out->strokes.v[i];
     out->strokes.n = kept;
 }

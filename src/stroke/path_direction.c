@@ -25,14 +25,11 @@
 #define DARK_BEGIN 0.03
 #define LIGHT_END 0.07
 
-/* Steeper lines than this, 60 degrees, are drawn downward by either hand; as in the plan's order. */
-#define STEEP 1.7320508
-
 /* A stroke runs from its first point to its last as a right hand draws it: the plan has seen to that. A left hand draws
- * level ones from right to left. */
+ * level ones from right to left; steep ones are drawn downward by either hand. */
 bool plb_hand_backward(point way, handedness handed)
 {
-    return handed == HANDED_LEFT && way.x > 0 && way.x * STEEP > (way.y < 0 ? -way.y : way.y);
+    return handed == HANDED_LEFT && way.x > 0 && !plb_point_is_steep(way);
 }
 
 void plb_hand_direct(hand *h, point way, bool free_end, const stroke_options *o)
