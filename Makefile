@@ -126,7 +126,12 @@ check-only: all $(tests_bin) examples
 # What takes longer than one likes to wait. LOAD=N: how many drawings are made while make is killed.
 .PHONY: check-long
 check-long:
-	+$(Q)$(MAKE) --no-print-directory check-only TESTS="$(wildcard tests/long/*.sh)"
+	+$(Q)$(MAKE) --no-print-directory check-only TESTS="$(wildcard tests/long/*.sh) tests/lint/run.sh"
+
+# clang-tidy and cppcheck (Debian: clang-tidy cppcheck), as tests/lint says.
+.PHONY: lint
+lint: all
+	$(Q)tests/run $(O) tests/lint/run.sh
 
 # The build in which a test decides which allocations fail (tests/allocations.sh).
 .PHONY: failing
@@ -218,6 +223,7 @@ help:
 	@echo 'make demo       installs the packages that are missing, builds, draws a drawing with eight pencils'
 	@echo 'make check      installs the packages that are missing, builds, runs all tests'
 	@echo 'make check-long valgrind, and drawings made while make is killed (Debian: valgrind)'
+	@echo 'make lint       clang-tidy and cppcheck over all C (Debian: clang-tidy cppcheck)'
 	@echo 'make fuzz       fuzzers of the readers, in build/fuzz (clang)'
 	@echo 'make bench      speed, as ratios to rsvg-convert'
 	@echo 'make figures    the figures of the papers, in build/figures'

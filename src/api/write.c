@@ -36,7 +36,7 @@ static bool add_band(void *closure, const page *band, error *err)
 }
 
 /* Draws into the open file. */
-static bool draw_into(FILE *to, const plb_drawing *d, const plb_options *o, picture_options *how, const char *name, error *err)
+static bool draw_into(FILE *to, const plb_drawing *d, const plb_options *o, picture_options how, const char *name, error *err)
 {
     drawing_tools t;
     page_plan plan;
@@ -44,12 +44,12 @@ static bool draw_into(FILE *to, const plb_drawing *d, const plb_options *o, pict
     if (!plb_api_tools_init(&t, o, err))
         return false;
     label(&l, o, &t);
-    how->text = l.text;
+    how.text = l.text;
     bool ok = plb_page_plan(d, o, &plan, err);
     if (ok) {
-        how->members = plan.members;
-        plb_page_plan_rows(&plan, plb_picture_rows(plan.width, how));
-        picture *p = plb_picture_new(plan.width, plan.height, how, to, name, err);
+        how.members = plan.members;
+        plb_page_plan_rows(&plan, plb_picture_rows(plan.width, &how));
+        picture *p = plb_picture_new(plan.width, plan.height, &how, to, name, err);
         ok = p && plb_render(d, o, &t, &plan, add_band, p, err) && plb_picture_end(p, err);
         plb_picture_free(p);
     }
@@ -65,7 +65,7 @@ static bool write_picture(const plb_drawing *d, const char *file, picture_format
     output out;
     if (!plb_api_check(o, err) || !plb_output_open(&out, file, err))
         return false;
-    if (draw_into(out.to, d, o, &how, plb_output_shown(file), err))
+    if (draw_into(out.to, d, o, how, plb_output_shown(file), err))
         return plb_output_commit(&out, err);
     plb_output_discard(&out);
     return false;

@@ -113,7 +113,7 @@ bool plb_ps_define_font(ps *p, ps_object key, ps_object font)
 
 static bool op_findfont(ps *p)
 {
-    ps_object font;
+    ps_object font = {0};
     return plb_ps_find_font(p, *ps_args(p, 1), &font) && plb_ps_give(p, 1, font);
 }
 

@@ -348,7 +348,7 @@ static bool step_procedure(ps *p, ps_frame *f)
 
 static bool step_source(ps *p, ps_frame *f)
 {
-    ps_object o;
+    ps_object o = {0};
     bool ended;
     p->op = NULL;
     if (!plb_ps_read_object(p, f->data, &o, &ended))

@@ -5,7 +5,6 @@
 #include "list/list.h"
 
 #include <math.h>
-#include <string.h>
 
 /* Where along a linear gradient: the projection onto its axis. False: it has no axis. */
 static bool linear_offset(const gradient *g, point p, double *t)
@@ -85,12 +84,19 @@ static bool same_stop(const gradient_stop *a, const gradient_stop *b)
     return a->offset == b->offset && a->red == b->red && a->green == b->green && a->blue == b->blue && a->alpha == b->alpha;
 }
 
+static bool same_point(point a, point b) { return a.x == b.x && a.y == b.y; }
+
+static bool same_matrix(const matrix *a, const matrix *b)
+{
+    return a->xx == b->xx && a->yx == b->yx && a->xy == b->xy && a->yy == b->yy && a->x0 == b->x0 && a->y0 == b->y0;
+}
+
 /* Member by member: the bytes between members are anything. */
 static bool same(const gradient *a, const gradient *b)
 {
     bool all = a->radial == b->radial && a->extend == b->extend && a->n == b->n && a->opacity == b->opacity &&
-               !memcmp(&a->to_space, &b->to_space, sizeof a->to_space) && !memcmp(&a->from, &b->from, sizeof a->from) &&
-               !memcmp(&a->to, &b->to, sizeof a->to) && a->from_radius == b->from_radius && a->to_radius == b->to_radius;
+               same_matrix(&a->to_space, &b->to_space) && same_point(a->from, b->from) && same_point(a->to, b->to) &&
+               a->from_radius == b->from_radius && a->to_radius == b->to_radius;
     for (unsigned i = 0; all && i < a->n; i++)
         all = same_stop(&a->stops[i], &b->stops[i]);
     return all;

@@ -29,8 +29,12 @@ static void fold(const grain_line *l, double mean[BINS])
     int first = 0;
     while (first < BINS - 1 && n[first] == 0)
         first++;
-    for (int k = 0; k < BINS; k++)
-        mean[k] = n[k] > 0 ? sum[k] / n[k] : k < first ? sum[first] / fmax(n[first], 1) : mean[k - 1];
+    double last = sum[first] / fmax(n[first], 1);
+    for (int k = 0; k < BINS; k++) {
+        if (n[k] > 0)
+            last = sum[k] / n[k];
+        mean[k] = last;
+    }
 }
 
 static double width_at_half_depth(const grain_line *l)

@@ -288,8 +288,10 @@ static profile *make_profile(const capture *c, error *err)
         p->ccm = plb_new(PROFILE_GREYS * PROFILE_GREYS, sizeof *p->ccm);
         p->provenance = plb_new(strlen(o->provenance) + 1, 1);
     }
-    bool good = p && p->ccm && p->provenance ? pool(c, p, err) && capture_grain(c, p, err) : plb_fail_memory(err);
-    if (!good) {
+    bool there = p && p->ccm && p->provenance;
+    if (!there)
+        plb_fail_memory(err);
+    if (!there || !pool(c, p, err) || !capture_grain(c, p, err)) {
         plb_profile_release(p);
         return NULL;
     }

@@ -103,7 +103,7 @@ static bool read_open_file(reader *r, scan *s)
     s->grey = good ? plb_new(n, 1) : NULL;
     if (good && !s->grey)
         good = plb_fail_memory(r->err);
-    for (size_t i = 0; i < n && good; i++)
+    for (size_t i = 0; i < n && s->grey; i++)
         s->grey[i] = grey_of(r->pixels + 4 * i);
     plb_free(r->pixels);
     plb_free(r->rows);

@@ -209,6 +209,8 @@ static bool sample(const vias *v, path_samples *out)
 
 static bool draw_course(course *c, const hand *h, double round, double miss, path_samples *out)
 {
+    if (c->n == 0) /* a base line of no points: nothing to draw */
+        return true;
     vias v = {0};
     space(c);
     bool ok = walk(c, &v);

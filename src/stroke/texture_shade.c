@@ -157,6 +157,8 @@ static void lay_on_paper(const grain *g, const sample_row *at, int from, int n, 
         plb_paper_row(p, &g->sheet, at->x + from * at->step, at->y, at->step, n, height);
     else
         memset(height, 0, sizeof height);
+    for (int i = n; i % BLOCK; i++)
+        field[i] = height[i] = 0; /* the last block is computed whole */
     for (int b = 0; b < n; b += BLOCK)
         for (int i = b; i < b + BLOCK; i++)
             field[i] = (int16_t)((field[i] * g->weight_field + height[i] * g->weight_paper + (1 << (SHARE_BITS - 1))) >> SHARE_BITS);

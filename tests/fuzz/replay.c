@@ -12,13 +12,21 @@ static int replay(const char *file)
 {
     FILE *from = fopen(file, "rb");
     uint8_t *all = malloc(MAX_BYTES);
-    if (!from || !all)
-        return perror(file), 1;
+    if (!from || !all) {
+        perror(file);
+        if (from)
+            fclose(from);
+        free(all);
+        return 1;
+    }
     size_t n = fread(all, 1, MAX_BYTES, from);
     fclose(from);
     uint8_t *data = malloc(n ? n : 1); /* as long as the input: a byte too far is seen */
-    if (!data)
-        return perror(file), 1;
+    if (!data) {
+        perror(file);
+        free(all);
+        return 1;
+    }
     for (size_t i = 0; i < n; i++)
         data[i] = all[i];
     free(all);

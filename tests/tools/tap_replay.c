@@ -44,8 +44,12 @@ static char *read_stdin(size_t *size)
         if (n == 0)
             break;
         *size += n;
-        if (*size == room - 1)
-            text = realloc(text, room *= 2);
+        if (*size == room - 1) {
+            char *more = realloc(text, room *= 2);
+            if (!more)
+                free(text);
+            text = more;
+        }
     }
     if (text)
         text[*size] = '\0';

@@ -254,7 +254,7 @@ typedef struct {
     const void *content; /* NULL: the section is taken out */
     size_t n;
 } lie;
-#define LIE(what, tag, text) {what, tag, text, sizeof text - 1}
+#define LIE(what, tag, text) {what, tag, text, sizeof(text) - 1}
 
 static void lying_sections(void)
 {
