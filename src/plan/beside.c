@@ -40,34 +40,41 @@ static int64_t part_of(point way, double more)
     return (int64_t)floor((turn - floor(turn)) * PARTS) % PARTS;
 }
 
-/* How far the line from c to d lies beside that from a to b where both are; 0 when they are not beside each other. */
-static double gap_between(point a, point b, point c, point d)
+/* The line that asks: its beginning, unit direction and length; what lies `farthest` away or more is no neighbour. */
+typedef struct {
+    point a, along;
+    double length, farthest;
+} asker;
+
+/* How far the line from c to d lies beside the one that asks where both are; 0 when they are not beside each other. */
+static double gap_to(const asker *q, point c, point d)
 {
-    double length = plb_point_distance(a, b), other = plb_point_distance(c, d);
-    point along = point_scale(point_sub(b, a), 1 / length), p = point_sub(c, a), q = point_sub(d, a);
-    double sp = point_dot(p, along), sq = point_dot(q, along), hp = point_cross(along, p), hq = point_cross(along, q);
-    double from = fmax(fmin(sp, sq), 0), to = fmin(fmax(sp, sq), length);
-    if (to - from < TOGETHER * fmin(length, other) || fabs(hq - hp) > PARALLEL * other)
+    point to_c = point_sub(c, q->a), to_d = point_sub(d, q->a);
+    double sc = point_dot(to_c, q->along), sd = point_dot(to_d, q->along);
+    double from = fmax(fmin(sc, sd), 0), to = fmin(fmax(sc, sd), q->length);
+    if (to < from) /* most of those in a cell: no root for them */
         return 0;
-    double slope = (hq - hp) / (sq - sp), h0 = hp + (from - sp) * slope, h1 = hp + (to - sp) * slope;
+    double hc = point_cross(q->along, to_c), hd = point_cross(q->along, to_d), other = plb_point_distance(c, d);
+    if (to - from < TOGETHER * fmin(q->length, other) || fabs(hd - hc) > PARALLEL * other)
+        return 0;
+    double slope = (hd - hc) / (sd - sc), h0 = hc + (from - sc) * slope, h1 = hc + (to - sc) * slope;
     if ((h0 > 0) != (h1 > 0))
         return 0;
     double gap = fmin(fabs(h0), fabs(h1));
     return gap < NEAREST_MM ? 0 : gap;
 }
 
-static void look(const grid *g, stroke_list *list, size_t i, int64_t column, int64_t key, double farthest, size_t *looks)
+static void look(const grid *g, stroke_list *list, size_t i, const asker *q, int64_t column, int64_t key, size_t *looks)
 {
     stroke *s = &list->strokes.v[i];
-    const point *v = list->points.v + s->first;
     for (uint32_t k = plb_grid_first(g, column, key); k != GRID_END && *looks < MOST_LOOKS; k = g->entries.v[k].next) {
         const stroke *t = &list->strokes.v[g->entries.v[k].value];
         const point *w = list->points.v + t->first;
         if (t == s)
             continue;
         ++*looks;
-        double gap = gap_between(v[0], v[1], w[0], w[1]);
-        if (gap > 0 && gap < farthest && (s->room == 0 || SHARE_OF_GAP * gap < s->room))
+        double gap = gap_to(q, w[0], w[1]);
+        if (gap > 0 && gap < q->farthest && (s->room == 0 || SHARE_OF_GAP * gap < s->room))
             s->room = (float)(SHARE_OF_GAP * gap);
     }
 }
@@ -75,15 +82,16 @@ static void look(const grid *g, stroke_list *list, size_t i, int64_t column, int
 static void find(const grid *g, stroke_list *list, size_t i)
 {
     const point *v = list->points.v + list->strokes.v[i].first;
-    double farthest = fmin(FARTHEST * plb_point_distance(v[0], v[1]) + NEAREST_MM, FARTHEST_MM);
+    double length = plb_point_distance(v[0], v[1]);
     point way = point_sub(v[1], v[0]);
+    asker q = {v[0], point_scale(way, 1 / length), length, fmin(FARTHEST * length + NEAREST_MM, FARTHEST_MM)};
     int64_t column, row, low = part_of(way, -PARALLEL), high = part_of(way, PARALLEL);
-    grid_walk w = plb_grid_walk(g, v[0], v[1], farthest);
+    grid_walk w = plb_grid_walk(g, v[0], v[1], q.farthest);
     size_t looks = 0;
     while (looks < MOST_LOOKS && plb_grid_step(&w, &column, &row)) {
-        look(g, list, i, column, row * PARTS + low, farthest, &looks);
+        look(g, list, i, &q, column, row * PARTS + low, &looks);
         if (high != low)
-            look(g, list, i, column, row * PARTS + high, farthest, &looks);
+            look(g, list, i, &q, column, row * PARTS + high, &looks);
     }
 }
 

@@ -4,8 +4,6 @@
  */
 #include "plan/grid.h"
 
-#include "base/random.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -34,24 +32,14 @@ int64_t plb_grid_cell(const grid *g, double at)
     return (int64_t)floor(at / g->cell);
 }
 
-static size_t place_of(const grid *g, int64_t column, int64_t row)
-{
-    return random_fold(0, column, row) & (g->heads - 1);
-}
-
 bool plb_grid_put(grid *g, int64_t column, int64_t row, uint32_t value)
 {
-    uint32_t *head = &g->head[place_of(g, column, row)];
+    uint32_t *head = &g->head[random_fold(0, column, row) & (g->heads - 1)];
     grid_entry e = {value, *head};
     if (g->entries.n >= GRID_END || !array_push(&g->entries, e))
         return false;
     *head = (uint32_t)(g->entries.n - 1);
     return true;
-}
-
-uint32_t plb_grid_first(const grid *g, int64_t column, int64_t row)
-{
-    return g->head[place_of(g, column, row)];
 }
 
 /* The columns of the walk's row: where the segment passes it. */

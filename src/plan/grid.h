@@ -8,6 +8,7 @@
 
 #include "base/array.h"
 #include "base/geom.h"
+#include "base/random.h"
 
 #include <stdint.h>
 
@@ -29,7 +30,10 @@ void plb_grid_free(grid *g);
 int64_t plb_grid_cell(const grid *g, double at);
 bool plb_grid_put(grid *g, int64_t column, int64_t row, uint32_t value);
 /* The first entry of the chain that holds the cell's numbers, latest first, and maybe some of other cells. */
-uint32_t plb_grid_first(const grid *g, int64_t column, int64_t row);
+static inline uint32_t plb_grid_first(const grid *g, int64_t column, int64_t row)
+{
+    return g->head[random_fold(0, column, row) & (g->heads - 1)];
+}
 
 /* A walk through the cells that come within `margin` of a segment (and maybe a few more beside its ends). */
 typedef struct {
