@@ -85,11 +85,17 @@ $(O)/plumbago $(O)/plumbago-profile:
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_ALL) $^ $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
 
-# The tap includes nothing of ours and links librsvg; the library does not.
-$(O)/tap-svg: src/tap/tap_svg.c src/tap/tap_losses.c src/tap/tap_losses.h
-	$(say) LINK $@
+# The tap includes nothing of ours and links librsvg; the library does not. It is made again when flags change.
+tap_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/*.c))
+$(O)/tap-flags: FORCE
+	@mkdir -p $(@D) && echo '$(CC) $(CFLAGS_ALL) $(LDFLAGS_ALL)' | cmp -s - $@ || echo '$(CC) $(CFLAGS_ALL) $(LDFLAGS_ALL)' > $@
+$(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/tap-flags
+	$(say) CC $<
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS_ALL) $(shell pkg-config --cflags $(packages_tap)) $(filter %.c,$^) $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
+	$(Q)$(CC) $(CFLAGS_ALL) $(shell pkg-config --cflags $(packages_tap)) -c $< -o $@
+$(O)/tap-svg: $(tap_obj)
+	$(say) LINK $@
+	$(Q)$(CC) $(LDFLAGS_ALL) $(tap_obj) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
 
 # The other tap is a script around the library ezdxf.
 $(O)/tap-dxf: src/tap/tap_dxf.py
@@ -234,4 +240,4 @@ help:
 	@echo 'make clean      removes build/'
 	@echo 'BUILD=release|debug|asan|ubsan|tsan|cover|failing|fuzz   CC=gcc|clang   V=1: show the commands'
 
--include $(lib_obj:.o=.d) $(wildcard $(O)/tool/*.d $(O)/*.d $(O)/tests/*/*.d)
+-include $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(wildcard $(O)/tool/*.d $(O)/*.d $(O)/tests/*/*.d)

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * SVG and SVGZ: the helper program tap-svg draws, its text is read while it runs. Where librsvg refuses or dies
- * there are second tries: malformed XML through a recovery parser, and without text (librsvg 2.54 aborts on some
- * font sizes).
+ * SVG and SVGZ: the helper program tap-svg draws, by itself or by librsvg, its text is read while it runs. Where
+ * librsvg refuses or dies there are second tries: malformed XML through a recovery parser, and without text (librsvg
+ * 2.54 aborts on some font sizes).
  */
 #include "input/input.h"
 

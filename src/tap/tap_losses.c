@@ -5,6 +5,8 @@
  */
 #include "tap/tap_losses.h"
 
+#include "tap/tap_page.h"
+
 #include <glib.h>
 #include <libxml/parser.h>
 #include <libxml/tree.h>
@@ -15,7 +17,6 @@
 /* librsvg stops beyond 500,000 elements; its documents are no deeper than a few hundred. */
 #define MOST_VISITS 1000000ul
 #define DEEPEST 1000
-#define LIBXML_TEXT ((size_t)10000000) /* libxml2 refuses longer attributes unless told otherwise */
 
 typedef struct {
     tap_losses lost;
@@ -212,7 +213,7 @@ static bool may_lose(const char *text, size_t size)
 tap_losses plb_tap_count_losses(const char *text, size_t size)
 {
     walk w = {.visits = 0};
-    int how = XML_PARSE_RECOVER | XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | (size > LIBXML_TEXT ? XML_PARSE_HUGE : 0);
+    int how = XML_PARSE_RECOVER | XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | (size > TAP_LIBXML_TEXT ? XML_PARSE_HUGE : 0);
     xmlDoc *doc = may_lose(text, size) ? xmlReadMemory(text, (int)size, NULL, NULL, how) : NULL;
     if (!doc)
         return w.lost;

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * tap-svg: SVG or SVGZ on descriptor 0 becomes CairoScript on descriptor 1. librsvg draws the document on cairo's
- * script surface, which writes down what is drawn. No file is named, so none is opened.
+ * script surface, which writes down what is drawn; plain drawings take a shorter road to the same script (tap_plain.h).
+ * No file is named, so none is opened.
  *
- *     tap-svg [--recover] [--no-text]
+ *     tap-svg [--recover] [--no-text] [--librsvg | --plain-only]
  *
- * --recover sends the document through libxml2's recovery parser first; --no-text leaves all text out.
+ * --recover sends the document through libxml2's recovery parser first; --no-text leaves all text out; both leave it to
+ * librsvg. --librsvg and --plain-only are for tests: no other road than this; what is not plain is refused then.
  * The first line of the output gives the page and the map from the script's units back to millimetres:
  *
  *     %%Plumbago-tap 1 WIDTH HEIGHT XX YX XY YY X0 Y0 IMAGES MASKS FILTERS FOREIGN
@@ -17,14 +19,14 @@
  * -9999. No outline is rectilinear once turned by an odd angle. The turn is a style of the root element and not
  * cairo's own matrix, because librsvg takes the latter away again inside groups with opacity.
  */
-#include "tap/tap_losses.h"
+#include "tap/tap_page.h"
+#include "tap/tap_plain.h"
 
 #include <cairo-script.h>
 #include <libxml/parser.h>
 #include <libxml/tree.h>
 #include <librsvg/rsvg.h>
 
-#include <math.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -36,23 +38,7 @@
 enum { EXIT_DONE, EXIT_USAGE, EXIT_MALFORMED, EXIT_REFUSED, EXIT_WRITE, EXIT_LIMIT };
 
 #define MAX_BYTES ((size_t)256 << 20) /* of the document, unpacked */
-#define LIBXML_TEXT ((size_t)10000000) /* libxml2 refuses longer attributes unless told otherwise */
-#define PAGE_UNITS 4096.0             /* of the longer side: a step of cairo's 24.8 numbers is 1 um on an A0 sheet */
-#define PAGE_UNITS_MOST 32768.0       /* fonts fail beyond */
-/* The script surface forgets what is below 1e-5 in a pen's matrix. KiCad's drawings are 3e8 user units wide: there the
- * page gets more units, so that the turn's sine (0.33) of a user unit stays above. */
-#define UNITS_PER_USER_UNIT 6.5e-5
-#define TURN_DEGREES 19.3717          /* no drawing is likely to hold this angle */
-#define MM_PER_PX (25.4 / 96)         /* CSS Values 3, section 6.2 */
-#define PX_MAX (100e3 / MM_PER_PX)    /* 100 m */
 #define PX_EMPTY 100.0                /* page of a drawing without size that draws nothing; chosen by eye */
-
-typedef struct {
-    double width, height; /* px */
-    double x, y;          /* px: the page's corner, when the size is that of the drawn parts */
-    double units;         /* of the script surface, on the longer side */
-    bool by_extents;
-} page;
 
 static void __attribute__((noreturn, format(printf, 2, 3))) quit(int status, const char *format, ...)
 {
@@ -72,14 +58,19 @@ static void __attribute__((noreturn, format(printf, 2, 3))) quit(int status, con
 static unsigned char out[1 << 16];
 static size_t out_used;
 
-static void flush_out(void)
+static void write_out(const unsigned char *data, size_t size)
 {
-    for (size_t done = 0; done < out_used;) {
-        ssize_t n = write(STDOUT_FILENO, out + done, out_used - done);
+    for (size_t done = 0; done < size;) {
+        ssize_t n = write(STDOUT_FILENO, data + done, size - done);
         if (n < 0)
             _exit(EXIT_WRITE); /* the reader went away: nobody is left to tell */
         done += (size_t)n;
     }
+}
+
+static void flush_out(void)
+{
+    write_out(out, out_used);
     out_used = 0;
 }
 
@@ -227,7 +218,7 @@ static GByteArray *recover(GByteArray *text)
 static RsvgHandle *load(const GByteArray *text)
 {
     GInputStream *stream = g_memory_input_stream_new_from_data(text->data, (gssize)text->len, NULL);
-    RsvgHandleFlags flags = text->len > LIBXML_TEXT ? RSVG_HANDLE_FLAG_UNLIMITED : RSVG_HANDLE_FLAGS_NONE;
+    RsvgHandleFlags flags = text->len > TAP_LIBXML_TEXT ? RSVG_HANDLE_FLAG_UNLIMITED : RSVG_HANDLE_FLAGS_NONE;
     GError *error = NULL;
     RsvgHandle *svg = rsvg_handle_new_from_stream_sync(stream, NULL, flags, NULL, &error);
     if (!svg)
@@ -254,37 +245,32 @@ static bool root_is_transformed(const GByteArray *text)
     return false;
 }
 
-static double px_of_length(RsvgLength length, double whole)
+static double px_of_length(RsvgLength length)
 {
     static const double px[] = {
         [RSVG_UNIT_PX] = 1,          [RSVG_UNIT_EM] = 16,         [RSVG_UNIT_EX] = 8,          [RSVG_UNIT_IN] = 96,
         [RSVG_UNIT_CM] = 96 / 2.54,  [RSVG_UNIT_MM] = 96 / 25.4,  [RSVG_UNIT_PT] = 96.0 / 72,  [RSVG_UNIT_PC] = 16,
     };
-    return length.length * (length.unit == RSVG_UNIT_PERCENT ? whole : px[length.unit]);
+    return length.length * px[length.unit];
 }
 
-/* Width and height as a browser sizes an image: a missing one follows from the viewBox, a percentage is of it. */
-static bool size_by_attributes(RsvgHandle *svg, page *p)
+static tap_extent extent_of(RsvgLength length)
+{
+    bool is_share = length.unit == RSVG_UNIT_PERCENT;
+    return (tap_extent){is_share ? length.length : px_of_length(length), is_share};
+}
+
+static bool size_by_attributes(RsvgHandle *svg, tap_page *p)
 {
     RsvgLength w, h;
     RsvgRectangle box;
-    gboolean has_w, has_h, has_box;
+    gboolean has_w, has_h, has_box; /* librsvg always has width and height: 100 % where nothing is said */
     rsvg_handle_get_intrinsic_dimensions(svg, &has_w, &w, &has_h, &h, &has_box, &box);
-    bool fixed_w = has_w && w.unit != RSVG_UNIT_PERCENT, fixed_h = has_h && h.unit != RSVG_UNIT_PERCENT;
-    if (!has_box && !(fixed_w && fixed_h))
-        return false;
-    if (has_box)
-        p->units = fmin(fmax(p->units, UNITS_PER_USER_UNIT * fmax(box.width, box.height)), PAGE_UNITS_MOST);
-    p->width = px_of_length(w, has_box ? box.width : 0);
-    p->height = px_of_length(h, has_box ? box.height : 0);
-    if (fixed_w && !fixed_h && box.width > 0)
-        p->height = p->width * box.height / box.width;
-    if (fixed_h && !fixed_w && box.height > 0)
-        p->width = p->height * box.width / box.height;
-    return true;
+    double size[2] = {box.width, box.height};
+    return plb_tap_page_size(p, extent_of(w), extent_of(h), has_box ? size : NULL);
 }
 
-static void size_by_extents(RsvgHandle *svg, page *p)
+static void size_by_extents(RsvgHandle *svg, tap_page *p)
 {
     RsvgRectangle viewport = {0, 0, PX_EMPTY, PX_EMPTY}, ink;
     p->by_extents = true;
@@ -297,57 +283,36 @@ static void size_by_extents(RsvgHandle *svg, page *p)
     p->height = ink.height > 0 ? ink.height : 1;
 }
 
-static page find_page(RsvgHandle *svg)
+static tap_page find_page(RsvgHandle *svg)
 {
-    page p = {.units = PAGE_UNITS};
+    tap_page p = plb_tap_page();
     if (!size_by_attributes(svg, &p))
         size_by_extents(svg, &p);
-    if (!(p.width > 0 && p.height > 0))
+    if (!plb_tap_page_is_there(&p))
         quit(EXIT_REFUSED, "the drawing has no width or no height");
-    if (!(p.width <= PX_MAX && p.height <= PX_MAX))
+    if (!plb_tap_page_is_fit(&p))
         quit(EXIT_REFUSED, "the drawing is larger than 100 m");
     return p;
 }
 
 /* ---- drawing ---------------------------------------------------------------------------------------------- */
 
-/* How the page lies on the script surface: magnified by `scale`, turned, moved right so that it is all positive. */
-typedef struct {
-    cairo_matrix_t turn; /* page units (px times scale) to the surface */
-    double scale;
-    double width, height; /* of the turned page */
-} placing;
-
-static placing place(const page *p)
+static void write_head(const tap_page *p, const GByteArray *text)
 {
-    double scale = p->units / fmax(p->width, p->height), w = p->width * scale, h = p->height * scale;
-    double a = TURN_DEGREES * G_PI / 180, c = cos(a), s = sin(a);
-    return (placing){.turn = {c, s, -s, c, h * s, 0}, .scale = scale, .width = w * c + h * s, .height = w * s + h * c};
-}
-
-static void write_head(const page *p, const GByteArray *text)
-{
-    tap_losses lost = plb_tap_count_losses((const char *)text->data, text->len);
-    placing l = place(p);
-    cairo_matrix_t back = l.turn;
-    cairo_matrix_invert(&back);
-    double k = MM_PER_PX / l.scale;
-    char line[400];
-    int n = snprintf(line, sizeof line, "%%%%Plumbago-tap 1 %.9g %.9g %.12g %.12g %.12g %.12g %.12g %.12g %lu %lu %lu %lu\n",
-                     p->width * MM_PER_PX, p->height * MM_PER_PX, back.xx * k, back.yx * k, back.xy * k, back.yy * k,
-                     back.x0 * k, back.y0 * k, lost.images, lost.masks, lost.filters, lost.foreign);
+    char line[TAP_HEAD_MAX];
+    size_t n = plb_tap_head(p, plb_tap_count_losses((const char *)text->data, text->len), line);
     put(NULL, (const unsigned char *)line, (unsigned)n);
 }
 
 /* The turn (unless cairo does it), and what would only make pixels switched off: the drawing behind masks and filters
  * stays. Pattern tiles are drawn upright, out of the turn's reach, where strokes do no harm; nobody reads them, but an
  * empty tile would take the fill with it. */
-static void set_style(RsvgHandle *svg, const page *p, const placing *l, double magnify, bool by_style, bool no_text)
+static void set_style(RsvgHandle *svg, const tap_page *p, const tap_placing *l, double magnify, bool by_style, bool no_text)
 {
     char style[700] = "", turn[200] = "";
     if (by_style)
         snprintf(turn, sizeof turn, ":root{transform:translate(%.9gpx,0px) rotate(%.9gdeg) scale(%.12g) translate(%.9gpx,%.9gpx)}",
-                 l->turn.x0, TURN_DEGREES, magnify, -p->x, -p->y);
+                 l->turn.x0, TAP_TURN_DEGREES, magnify, -p->x, -p->y);
     snprintf(style, sizeof style, "%s*{filter:none!important;mask:none!important}image{display:none!important}"
              "pattern *{fill:none!important;stroke:#000!important;clip-path:none!important}%s", turn, no_text ? "text,tspan{display:none!important}" : "");
     GError *error = NULL;
@@ -356,11 +321,11 @@ static void set_style(RsvgHandle *svg, const page *p, const placing *l, double m
 }
 
 /* Draws into `sink`. False: cairo or librsvg refused; `why` says so. */
-static bool draw(RsvgHandle *svg, const page *p, bool by_style, bool no_text, cairo_write_func_t sink, char why[200])
+static bool draw(RsvgHandle *svg, const tap_page *p, bool by_style, bool no_text, cairo_write_func_t sink, char why[200])
 {
-    placing l = place(p);
+    tap_placing l = plb_tap_place(p);
     /* The viewport holds the turned page: librsvg makes the surfaces of groups as large as it. */
-    double fit = by_style ? fmin(6, fmax(l.width / p->width, l.height / p->height) / l.scale) : 1;
+    double fit = by_style ? l.fit : 1;
     RsvgRectangle viewport = {0, 0, p->width * l.scale * fit, p->height * l.scale * fit};
     if (p->by_extents) /* nothing scales the drawing to a viewport: it has no viewBox */
         viewport = (RsvgRectangle){0, 0, PX_EMPTY, PX_EMPTY};
@@ -370,7 +335,8 @@ static bool draw(RsvgHandle *svg, const page *p, bool by_style, bool no_text, ca
     cairo_t *cr = cairo_create(surface);
     if (!by_style) {
         double k = p->by_extents ? l.scale : 1;
-        cairo_set_matrix(cr, &l.turn);
+        cairo_matrix_t turn = {l.turn.xx, l.turn.yx, l.turn.xy, l.turn.yy, l.turn.x0, l.turn.y0};
+        cairo_set_matrix(cr, &turn);
         cairo_scale(cr, k, k);
         cairo_translate(cr, -p->x, -p->y);
     }
@@ -398,7 +364,7 @@ static bool has_box_units(const GByteArray *text)
 /* Who turns the page. The style does it best, but not where the document's root has a transform of its own, which
  * wins; and librsvg takes the boxes of box units upright after the turn, so there cairo has to do it, if its faults
  * allow, which is tried first. */
-static bool turn_by_style(RsvgHandle *svg, const GByteArray *text, const page *p, bool no_text)
+static bool turn_by_style(RsvgHandle *svg, const GByteArray *text, const tap_page *p, bool no_text)
 {
     char why[200];
     if (root_is_transformed(text))
@@ -406,28 +372,67 @@ static bool turn_by_style(RsvgHandle *svg, const GByteArray *text, const page *p
     return !has_box_units(text) || !draw(svg, p, false, no_text, discard, why);
 }
 
-int main(int argc, char **argv)
+/* ---- the two roads ------------------------------------------------------------------------------------------ */
+
+typedef struct {
+    bool mend, no_text;
+    bool long_road, short_road; /* no other than this one */
+} manner;
+
+static manner read_options(int argc, char **argv)
 {
-    bool mend = false, no_text = false;
+    manner m = {false, false, false, false};
+    struct {
+        const char *name;
+        bool *is_set;
+    } options[] = {{"--recover", &m.mend}, {"--no-text", &m.no_text}, {"--librsvg", &m.long_road}, {"--plain-only", &m.short_road}};
     for (int i = 1; i < argc; i++) {
-        if (!strcmp(argv[i], "--recover"))
-            mend = true;
-        else if (!strcmp(argv[i], "--no-text"))
-            no_text = true;
-        else
-            quit(EXIT_USAGE, "usage: tap-svg [--recover] [--no-text] <drawing.svg >script");
+        size_t k = 0, n = sizeof options / sizeof *options;
+        while (k < n && strcmp(argv[i], options[k].name) != 0)
+            k++;
+        if (k == n)
+            quit(EXIT_USAGE, "usage: tap-svg [--recover] [--no-text] [--librsvg | --plain-only] <drawing.svg >script");
+        *options[k].is_set = true;
     }
-    GByteArray *text = read_document();
-    if (mend)
-        text = recover(text);
+    return m;
+}
+
+static void put_piece(const char *text, size_t size) { write_out((const unsigned char *)text, size); }
+
+/* False: the drawing is not plain, and nothing is written. */
+static bool draw_plain(const GByteArray *text, const manner *m)
+{
+    static plain_script script;
+    char why[TAP_PLAIN_WHY] = "its style sheets may turn the page";
+    if (!root_is_transformed(text) && plb_tap_plain((const char *)text->data, text->len, &script, why)) {
+        plb_plain_script_write(&script, put_piece);
+        return true;
+    }
+    if (m->short_road)
+        quit(EXIT_REFUSED, "not plain: %s", why);
+    return false;
+}
+
+static void draw_by_librsvg(const GByteArray *text, const manner *m)
+{
     RsvgHandle *svg = load(text);
-    page p = find_page(svg);
-    bool by_style = turn_by_style(svg, text, &p, no_text);
+    tap_page p = find_page(svg);
+    bool by_style = turn_by_style(svg, text, &p, m->no_text);
     char why[200];
     write_head(&p, text);
-    bool done = draw(svg, &p, by_style, no_text, put, why);
+    bool done = draw(svg, &p, by_style, m->no_text, put, why);
     flush_out();
     if (!done)
         quit(EXIT_REFUSED, "%s", why);
+}
+
+int main(int argc, char **argv)
+{
+    manner m = read_options(argc, argv);
+    GByteArray *text = read_document();
+    if (m.mend)
+        text = recover(text);
+    if (m.mend || m.no_text || m.long_road || !draw_plain(text, &m))
+        draw_by_librsvg(text, &m);
     _exit(EXIT_DONE); /* no time for tidying up */
 }

@@ -1,0 +1,58 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The properties of plain SVG: colours, pens, dashes; and transforms.
+ */
+#ifndef PLB_TAP_PLAIN_STYLE_H
+#define PLB_TAP_PLAIN_STYLE_H
+
+#include "tap/plain_text.h"
+#include "tap/tap_page.h"
+
+#include <stdbool.h>
+
+#define PLAIN_DASHES 32 /* most in a pattern */
+
+typedef struct {
+    bool is_none;
+    unsigned char red, green, blue;
+} plain_paint;
+
+typedef enum { PLAIN_BUTT, PLAIN_ROUND, PLAIN_SQUARE } plain_cap;
+typedef enum { PLAIN_MITER, PLAIN_ROUNDED, PLAIN_BEVEL } plain_join;
+
+/* The pen, in user units. */
+typedef struct {
+    double width, miter_limit;
+    plain_cap cap;
+    plain_join join;
+    double dashes[PLAIN_DASHES], dash_offset;
+    int n_dashes; /* 0: a whole line */
+} plain_pen;
+
+typedef struct {
+    plain_paint fill, stroke;
+    plain_pen pen;
+    bool even_odd;
+    bool is_hidden; /* by visibility */
+    bool is_gone;   /* by display: with all that is in it; not inherited */
+} plain_style;
+
+/* Black and without a line. */
+plain_style plb_plain_style(void);
+
+/* One property or presentation attribute. False: not plain, that is unknown, not well-formed, or worth more than a plain
+ * reader knows. */
+bool plb_plain_property(plain_style *s, plain_text name, plain_text value);
+/* What a style attribute says. */
+bool plb_plain_declarations(plain_style *s, plain_text style);
+
+/* A colour, by name or number (plain_colour.c). */
+bool plb_plain_colour(plain_text t, plain_paint *p);
+
+/* A transform attribute: from the element's units to its parent's; can be inverted. */
+bool plb_plain_transform(plain_text t, tap_matrix *m);
+
+/* Degrees as librsvg turns them into radians. */
+double plb_plain_radians(double degrees);
+
+#endif
