@@ -48,7 +48,7 @@ allowed='^(/lib|/lib64|/usr/lib|/usr/local/lib|/usr/local/share|/usr/share/(matp
 judge_trace() { # NAME INPUT
     local opened
     opened=$(grep -v ' = -1 \|O_PATH' ../trace | grep -oE '"[^"]+"' | tr -d '"' | sort -u |
-        grep -vE "$allowed" | grep -vE "^($BUILD_DIR/|\./)?(plumbago|tap-svg|tap-dxf)\$" | grep -vE "(^|/)(\.?out\.png[^/]*|$2)\$" |
+        grep -vE "$allowed" | grep -vE "^($BUILD_DIR/|\./)?(plumbago|tap-svg|tap-plain|tap-dxf)\$" | grep -vE "(^|/)(\.?out\.png[^/]*|$2)\$" |
         grep -vE "^(${HOME:-/root}/\.(cache|config|fonts|local)|(/tmp/)?gs_[A-Za-z0-9]{6}\$|/tmp/(fontconfig|plumbago)|\.\$|/\$|/tmp\$|${PWD}\$)" | grep -vE "^$BUILD_DIR\$")
     report "$1 opens nothing it should not" "$opened"
     if grep -q 'connect(.*AF_INET' ../trace; then fail "$1 stays off the network" "$(grep -m 1 AF_INET ../trace)"; fi

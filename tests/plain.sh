@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-# The short road of the tap against the long one: what tap-svg reads by itself (--plain-only) it must write as librsvg and
-# cairo write it (--librsvg), number for number to cairo's step of 1/256; what is not plain goes by librsvg, with its
-# messages. Real drawings where they are at hand.
+# tap-plain against tap-svg: what it takes for plain it must write as librsvg and cairo do, number for number to cairo's
+# step of 1/256; where it refuses it writes nothing, and the program ends as if it had not been asked. Real drawings where
+# they are at hand.
 . "$ROOT/tests/check.sh"
+tap_plain=$BUILD_DIR/tap-plain
 
 svg='<svg xmlns="http://www.w3.org/2000/svg"'
 page="$svg width='120' height='90' viewBox='-3 2 240 180' stroke='#123'>"
@@ -20,8 +21,8 @@ same_script() { # FILE1 FILE2
 # by_both NAME FILE: the case; 1: the file is not plain.
 by_both() {
     local why
-    "$TAP_SVG" --plain-only <"$2" >short 2>said || return 1
-    if ! "$TAP_SVG" --librsvg <"$2" >long 2>said; then
+    "$tap_plain" <"$2" >short 2>said || return 1
+    if ! "$TAP_SVG" <"$2" >long 2>said; then
         fail "$1" "librsvg refuses what is taken for plain: $(head -n 1 said)"
     elif ! why=$(same_script long short); then
         fail "$1" "$why"
@@ -31,20 +32,16 @@ by_both() {
     return 0
 }
 
-# plain NAME TEXT: read by itself.     unplain NAME TEXT [STATUS]: it leaves that to librsvg, and writes nothing before.
+# plain NAME TEXT: tap-plain takes it.     unplain NAME TEXT: it refuses, in one line and before it has written a byte.
 plain() { printf '%s' "$2" >case.svg; by_both "$1" case.svg || fail "$1" "$(cat said)"; }
 unplain() {
-    printf '%s' "$2" >case.svg
-    "$TAP_SVG" --plain-only <case.svg >short 2>said
+    printf '%s' "$2" | "$tap_plain" >short 2>said
     local code=$?
-    if [ $code -ne 3 ] || [ -s short ] || ! grep -q '^not plain: ' said || [ "$(wc -l <said)" -ne 1 ]; then
+    if [ $code -eq 2 ] && [ ! -s short ] && grep -q '^not plain: ' said && [ "$(wc -l <said)" -eq 1 ]; then
+        ok "$1"
+    else
         fail "$1" "status $code, $(wc -c <short) bytes, said: $(head -n 1 said)"
-        return
     fi
-    "$TAP_SVG" --librsvg <case.svg >long 2>said
-    code=$?
-    "$TAP_SVG" <case.svg >either 2>either.said
-    if [ $? -ne $code ] || ! cmp -s long either || ! cmp -s said either.said; then fail "$1" "librsvg did not get it as it was"; else ok "$1"; fi
 }
 
 # shapes NAME TEXT...: each as a shape of a page.
@@ -109,6 +106,36 @@ unplain "no name space" "<svg width='9' height='9'><path d='M1 2L3 4'/></svg>"
 unplain "not XML" "hello"
 unplain "nothing" ""
 unplain "a depth of 201" "$page$(printf '<g>%.0s' {1..201})$(printf '</g>%.0s' {1..201})</svg>"
+
+unplain "packed" "$(gzip -c </dev/null | tr -d '\0')"
+
+# A reader that goes away, options that are not there.
+printf '%s' "$page$(yes '<path d="M1 2L30 40"/>' | head -n 40000)</svg>" >many.svg
+"$tap_plain" <many.svg 2>said | head -c 100 >short
+if [ -s said ]; then fail "a reader that goes away" "$(head -n 1 said)"; else ok "a reader that goes away"; fi
+"$tap_plain" --what </dev/null >short 2>said
+if [ $? -eq 1 ] && [ ! -s short ]; then ok "an unknown option"; else fail "an unknown option" "$(head -n 1 said)"; fi
+
+# The whole program, with tap-plain and without: the same strokes, warnings and messages.
+mkdir without && cp "$PLUMBAGO" "$TAP_SVG" without/
+whole() { # NAME FILE
+    "$PLUMBAGO" --dump=strokes -o - "$2" >with.out 2>with.err
+    echo $? >>with.err
+    without/plumbago --dump=strokes -o - "$2" >without.out 2>without.err
+    echo $? >>without.err
+    if ! cmp -s with.out without.out; then fail "$1" "other strokes"; elif ! cmp -s with.err without.err; then fail "$1" "it said: $(head -n 1 with.err)"; else ok "$1"; fi
+}
+is_asked() { "$PLUMBAGO" -v -o x.png "$1" 2>&1 | grep -q "tap-plain reads it"; }
+printf '%s' "$page<path d='M1 2L30 40'/></svg>" >plain.svg
+printf '%s' "$page<path d='M1 2L30 40'/>" >cut.svg
+printf '%s' "$page<path d='M1 2L30 40'/><g opacity='.5'><path d='M90 2L30 40'/></g><image width='9' height='9'/></svg>" >late.svg
+gzip -c plain.svg >packed.svg
+for file in plain cut late packed; do whole "the program: $file" $file.svg; done
+if is_asked plain.svg && is_asked cut.svg; then ok "tap-plain is asked"; else fail "tap-plain is asked" "it is not"; fi
+if is_asked packed.svg || is_asked "$ROOT/examples/chart.svg"; then fail "tap-plain is not asked in vain" "it is"; else ok "tap-plain is not asked in vain"; fi
+mkdir dying && cp "$PLUMBAGO" "$TAP_SVG" dying/ && printf '#!/bin/sh\ncat >/dev/null\necho junk\nkill -SEGV $$\n' >dying/tap-plain && chmod +x dying/tap-plain
+"$PLUMBAGO" --dump=strokes -o - plain.svg >with.out
+if dying/plumbago --dump=strokes -o - plain.svg 2>said | cmp -s - with.out && [ ! -s said ]; then ok "tap-plain may die"; else fail "tap-plain may die" "$(head -n 1 said)"; fi
 
 # What may be plain and what may not, in all drawings at hand.
 taken=0 left=0

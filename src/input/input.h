@@ -15,7 +15,7 @@ typedef struct {
     const char *name;       /* the file's name as messages show it */
     const char *data;       /* all its bytes (may hold NULs); lives as long as the call */
     size_t size;
-    const char *helper_dir; /* where tap-svg is looked for first; NULL: beside the program, then the installed place */
+    const char *helper_dir; /* where tap-svg and its like are looked for first; NULL: beside the program, then the installed place */
     messenger say;          /* warnings and details */
     unsigned page;          /* which page of several, from 1 */
     process_limits limits;  /* of each foreign program */

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * SVG and SVGZ: the helper program tap-svg draws, by itself or by librsvg, its text is read while it runs. Where
- * librsvg refuses or dies there are second tries: malformed XML through a recovery parser, and without text (librsvg
+ * SVG and SVGZ: a helper program draws, its text is read while it runs. tap-plain is asked first where the drawing looks
+ * plain: it is fast, knows little, and writes nothing where it knows not all. tap-svg draws all the others by librsvg.
+ * Where that refuses or dies there are second tries: malformed XML through a recovery parser, and without text (librsvg
  * 2.54 aborts on some font sizes).
  */
 #include "input/input.h"
@@ -93,10 +94,58 @@ static void warn(const input_source *in, manner how, const error *first)
         plb_say(&in->say, MESSAGE_WARNING, "%s: its text is left out: librsvg cannot set it", in->name);
 }
 
+/* ---- plain drawings ----------------------------------------------------------------------------------------- */
+
+#define LOOK_BYTES ((size_t)1 << 16)
+
+static bool holds(const char *data, size_t size, const char *word)
+{
+    size_t n = strlen(word);
+    for (const char *at = data; size >= n && (at = memchr(at, word[0], size - n + 1 - (size_t)(at - data))); at++)
+        if (!memcmp(at, word, n))
+            return true;
+        else if (at + n == data + size)
+            break;
+    return false;
+}
+
+/* False: tap-plain would refuse it, as far as one can see at its start. */
+static bool looks_plain(const input_source *in)
+{
+    static const char *const others[] = {"<text", "<use", "<style", "<image", "<clipPath", "<symbol", "url(", "\x1f\x8b", NULL};
+    size_t size = in->size < LOOK_BYTES ? in->size : LOOK_BYTES;
+    const char *const *word = others;
+    while (*word && !holds(in->data, size, *word))
+        word++;
+    return !*word;
+}
+
+/* False: `list` is as it was, and tap-svg is to be asked. */
+static bool read_plain(const input_source *in, display_list *list)
+{
+    static const char *const argv[] = {"tap-plain", NULL};
+    char program[PROCESS_PATH_MAX];
+    process p;
+    error why = {0};
+    if (!looks_plain(in) || !plb_process_find(in->helper_dir, argv[0], program, &why) || !plb_reader_start(in, argv[0], program, argv, &p, &why))
+        return false;
+    cairoscript_source from = {.refill = refill, .closure = &p};
+    plb_read_cairoscript(&from, list, &why);
+    plb_process_finish(&p);
+    if (from.complete && p.end == PROCESS_EXITED && p.code == 0)
+        return true;
+    plb_say(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, p.end == PROCESS_EXITED && p.code ? plb_reader_message(&p) : why.text);
+    plb_list_free(list);
+    plb_list_init(list);
+    return false;
+}
+
 bool plb_read_svg(const input_source *in, display_list *list, error *err)
 {
     char program[PROCESS_PATH_MAX];
     error first = {0};
+    if (read_plain(in, list))
+        return true;
     if (!plb_process_find(in->helper_dir, "tap-svg", program, &first))
         return plb_fail(err, first.kind, "%s: %s", in->name, first.text);
     manner how = {false, false};

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * tap-svg: SVG or SVGZ on descriptor 0 becomes CairoScript on descriptor 1. librsvg draws the document on cairo's
- * script surface, which writes down what is drawn; plain drawings take a shorter road to the same script (tap_plain.h).
- * No file is named, so none is opened.
+ * script surface, which writes down what is drawn. No file is named, so none is opened. (Plain drawings do not come
+ * here: see tap_plain.c.)
  *
- *     tap-svg [--recover] [--no-text] [--librsvg | --plain-only]
+ *     tap-svg [--recover] [--no-text]
  *
- * --recover sends the document through libxml2's recovery parser first; --no-text leaves all text out; both leave it to
- * librsvg. --librsvg and --plain-only are for tests: no other road than this; what is not plain is refused then.
+ * --recover sends the document through libxml2's recovery parser first; --no-text leaves all text out.
  * The first line of the output gives the page and the map from the script's units back to millimetres:
  *
  *     %%Plumbago-tap 1 WIDTH HEIGHT XX YX XY YY X0 Y0 IMAGES MASKS FILTERS FOREIGN
@@ -20,7 +19,6 @@
  * cairo's own matrix, because librsvg takes the latter away again inside groups with opacity.
  */
 #include "tap/tap_page.h"
-#include "tap/tap_plain.h"
 
 #include <cairo-script.h>
 #include <libxml/parser.h>
@@ -37,7 +35,6 @@
 /* What the caller acts on; the message is one line on standard error. */
 enum { EXIT_DONE, EXIT_USAGE, EXIT_MALFORMED, EXIT_REFUSED, EXIT_WRITE, EXIT_LIMIT };
 
-#define MAX_BYTES ((size_t)256 << 20) /* of the document, unpacked */
 #define PX_EMPTY 100.0                /* page of a drawing without size that draws nothing; chosen by eye */
 
 static void __attribute__((noreturn, format(printf, 2, 3))) quit(int status, const char *format, ...)
@@ -58,19 +55,14 @@ static void __attribute__((noreturn, format(printf, 2, 3))) quit(int status, con
 static unsigned char out[1 << 16];
 static size_t out_used;
 
-static void write_out(const unsigned char *data, size_t size)
+static void flush_out(void)
 {
-    for (size_t done = 0; done < size;) {
-        ssize_t n = write(STDOUT_FILENO, data + done, size - done);
+    for (size_t done = 0; done < out_used;) {
+        ssize_t n = write(STDOUT_FILENO, out + done, out_used - done);
         if (n < 0)
             _exit(EXIT_WRITE); /* the reader went away: nobody is left to tell */
         done += (size_t)n;
     }
-}
-
-static void flush_out(void)
-{
-    write_out(out, out_used);
     out_used = 0;
 }
 
@@ -106,8 +98,8 @@ static GByteArray *read_stream(GInputStream *from)
     GError *error = NULL;
     gssize n;
     while ((n = g_input_stream_read(from, part, sizeof part, NULL, &error)) > 0) {
-        if (all->len + (size_t)n > MAX_BYTES)
-            quit(EXIT_LIMIT, "the document is larger than %zu MB", MAX_BYTES >> 20);
+        if (all->len + (size_t)n > TAP_MOST_BYTES)
+            quit(EXIT_LIMIT, "the document is larger than %zu MB", TAP_MOST_BYTES >> 20);
         g_byte_array_append(all, part, (guint)n);
     }
     if (n < 0 && !all->len)
@@ -121,8 +113,8 @@ static GByteArray *read_document(void)
     ssize_t n;
     unsigned char part[1 << 16];
     while ((n = read(STDIN_FILENO, part, sizeof part)) > 0) {
-        if (all->len + (size_t)n > MAX_BYTES)
-            quit(EXIT_LIMIT, "the document is larger than %zu MB", MAX_BYTES >> 20);
+        if (all->len + (size_t)n > TAP_MOST_BYTES)
+            quit(EXIT_LIMIT, "the document is larger than %zu MB", TAP_MOST_BYTES >> 20);
         g_byte_array_append(all, part, (guint)n);
     }
     if (all->len < 2 || all->data[0] != 0x1f || all->data[1] != 0x8b)
@@ -372,67 +364,28 @@ static bool turn_by_style(RsvgHandle *svg, const GByteArray *text, const tap_pag
     return !has_box_units(text) || !draw(svg, p, false, no_text, discard, why);
 }
 
-/* ---- the two roads ------------------------------------------------------------------------------------------ */
-
-typedef struct {
-    bool mend, no_text;
-    bool long_road, short_road; /* no other than this one */
-} manner;
-
-static manner read_options(int argc, char **argv)
+int main(int argc, char **argv)
 {
-    manner m = {false, false, false, false};
-    struct {
-        const char *name;
-        bool *is_set;
-    } options[] = {{"--recover", &m.mend}, {"--no-text", &m.no_text}, {"--librsvg", &m.long_road}, {"--plain-only", &m.short_road}};
+    bool mend = false, no_text = false;
     for (int i = 1; i < argc; i++) {
-        size_t k = 0, n = sizeof options / sizeof *options;
-        while (k < n && strcmp(argv[i], options[k].name) != 0)
-            k++;
-        if (k == n)
-            quit(EXIT_USAGE, "usage: tap-svg [--recover] [--no-text] [--librsvg | --plain-only] <drawing.svg >script");
-        *options[k].is_set = true;
+        if (!strcmp(argv[i], "--recover"))
+            mend = true;
+        else if (!strcmp(argv[i], "--no-text"))
+            no_text = true;
+        else
+            quit(EXIT_USAGE, "usage: tap-svg [--recover] [--no-text] <drawing.svg >script");
     }
-    return m;
-}
-
-static void put_piece(const char *text, size_t size) { write_out((const unsigned char *)text, size); }
-
-/* False: the drawing is not plain, and nothing is written. */
-static bool draw_plain(const GByteArray *text, const manner *m)
-{
-    static plain_script script;
-    char why[TAP_PLAIN_WHY] = "its style sheets may turn the page";
-    if (!root_is_transformed(text) && plb_tap_plain((const char *)text->data, text->len, &script, why)) {
-        plb_plain_script_write(&script, put_piece);
-        return true;
-    }
-    if (m->short_road)
-        quit(EXIT_REFUSED, "not plain: %s", why);
-    return false;
-}
-
-static void draw_by_librsvg(const GByteArray *text, const manner *m)
-{
+    GByteArray *text = read_document();
+    if (mend)
+        text = recover(text);
     RsvgHandle *svg = load(text);
     tap_page p = find_page(svg);
-    bool by_style = turn_by_style(svg, text, &p, m->no_text);
+    bool by_style = turn_by_style(svg, text, &p, no_text);
     char why[200];
     write_head(&p, text);
-    bool done = draw(svg, &p, by_style, m->no_text, put, why);
+    bool done = draw(svg, &p, by_style, no_text, put, why);
     flush_out();
     if (!done)
         quit(EXIT_REFUSED, "%s", why);
-}
-
-int main(int argc, char **argv)
-{
-    manner m = read_options(argc, argv);
-    GByteArray *text = read_document();
-    if (m.mend)
-        text = recover(text);
-    if (m.mend || m.no_text || m.long_road || !draw_plain(text, &m))
-        draw_by_librsvg(text, &m);
     _exit(EXIT_DONE); /* no time for tidying up */
 }

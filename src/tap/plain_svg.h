@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The short road of the tap: plain SVG becomes CairoScript without librsvg and cairo, in a tenth of the time. Plain is
+ * Plain SVG becomes CairoScript without librsvg and cairo, in a twentieth of the time. Plain is
  * what CAD programs, plotters and scripts write: groups, paths and basic shapes with opaque colours, transforms and a
  * size. librsvg stays the judge of all else and of what the plain means:
  *
@@ -10,15 +10,15 @@
  *   - What is on the lists is drawn as librsvg and cairo draw it: the same page, the same turn, the same points to 1/256
  *     of a surface unit, the same order. A test compares both roads (tests/plain.sh).
  */
-#ifndef PLB_TAP_TAP_PLAIN_H
-#define PLB_TAP_TAP_PLAIN_H
+#ifndef PLB_TAP_PLAIN_SVG_H
+#define PLB_TAP_PLAIN_SVG_H
 
 #include "tap/plain_script.h"
 
-#define TAP_PLAIN_WHY 100
+#define PLAIN_WHY 100
 
 /* text[0..size): the document. True: `script` has the whole output, to be released by plb_plain_script_free. False: it
  * is not plain (nothing is to be released), and `why` says what was met first. */
-bool plb_tap_plain(const char *text, size_t size, plain_script *script, char why[TAP_PLAIN_WHY]);
+bool plb_plain_svg(const char *text, size_t size, plain_script *script, char why[PLAIN_WHY]);
 
 #endif
