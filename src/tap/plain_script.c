@@ -161,6 +161,9 @@ static bool same_pens(tap_matrix a, tap_matrix b)
     return fabs(a.xx - b.xx) < SAME && fabs(a.yx - b.yx) < SAME && fabs(a.xy - b.xy) < SAME && fabs(a.yy - b.yy) < SAME;
 }
 
+/* To the last digit, without the translation: what was written for one serves for the other. */
+static bool equal_pens(tap_matrix a, tap_matrix b) { return a.xx == b.xx && a.yx == b.yx && a.xy == b.xy && a.yy == b.yy; }
+
 static void make_matrix_text(plain_script *s, tap_matrix m)
 {
     char *at = s->matrix_text;
@@ -187,7 +190,7 @@ static bool write_matrix(plain_script *s)
     if (same_pens(m, identity)) {
         m = identity;
     } else {
-        if (memcmp(&m, &s->matrix, sizeof m) != 0)
+        if (!equal_pens(m, s->matrix))
             make_matrix_text(s, m);
         write_text(s, s->matrix_text);
         s->now.is_turned = true;

@@ -18,13 +18,16 @@ bool plb_tap_page_size(tap_page *p, tap_extent w, tap_extent h, const double *bo
 {
     if (!box && (w.is_share || h.is_share))
         return false;
-    if (box)
-        p->units = fmin(fmax(p->units, UNITS_PER_USER_UNIT * fmax(box[0], box[1])), PAGE_UNITS_MOST);
+    p->width = w.value;
+    p->height = h.value;
+    if (!box)
+        return true;
+    p->units = fmin(fmax(p->units, UNITS_PER_USER_UNIT * fmax(box[0], box[1])), PAGE_UNITS_MOST);
     p->width = w.value * (w.is_share ? box[0] : 1);
     p->height = h.value * (h.is_share ? box[1] : 1);
-    if (box && !w.is_share && h.is_share && box[0] > 0)
+    if (!w.is_share && h.is_share && box[0] > 0)
         p->height = p->width * box[1] / box[0];
-    if (box && !h.is_share && w.is_share && box[1] > 0)
+    if (!h.is_share && w.is_share && box[1] > 0)
         p->width = p->height * box[0] / box[1];
     return true;
 }
