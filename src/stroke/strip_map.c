@@ -24,6 +24,11 @@
 #define MOST_SAMPLES 8
 /* Pieces that wait until it is known how far their patch reaches. */
 #define MOST_WAITING 32
+/* Rows of samples that are asked for at a time, and their samples altogether: a row at least. */
+#define ROWS_ASKED 64
+#define SAMPLES_ASKED (PATCH_SIDE * MOST_SAMPLES)
+/* Samples that are compared at a time. */
+#define LANES 16
 /* Neighbouring pieces become one where the path strays from it by no more than this, page pixels (a tenth of a pixel is
  * not seen; pieces get twice as long). */
 #define STRAY 0.1
@@ -43,6 +48,13 @@ typedef struct {
     pixel_box in;             /* page pixels it may touch */
 } piece;
 
+/* Rows of samples whose darkness is not known yet, and where it goes. */
+typedef struct {
+    int n, samples;
+    sample_row row[ROWS_ASKED];
+    uint8_t *to[ROWS_ASKED];
+} asked_rows;
+
 typedef struct {
     const shading *s;
     double strip_px;      /* strip pixels per page pixel */
@@ -55,6 +67,7 @@ typedef struct {
     piece waiting[MOST_WAITING];
     int n;                /* of them */
     pixel_box wait;             /* what they cover */
+    asked_rows asked;
     uint8_t *fine;        /* darkness of each sample, `stride` a row; where pieces meet again in a tight bend, the darker */
     size_t stride;
     uint8_t *kept;        /* room for samples of pixels that the next patch will go on with */
@@ -237,35 +250,66 @@ static double row_along(const mapper *m, const row_frame *r, int i)
     return r->f->k->s0 + r->f->k->length * m->strip_px * a / (a - b);
 }
 
-/* Samples first to last, all within the piece: `along` is taken to run evenly between them, as it does on straight lines
- * and nearly on others. Into `to`, where nothing is yet, or else darker. */
-static void shade_run(const mapper *m, const row_frame *r, int first, int last, bool blank, uint8_t *to)
+/* The darker of both, for LANES samples; `mask`: 0 leaves a sample as it is. */
+static void darken_lanes(uint8_t *restrict to, const uint8_t *restrict dark, const uint8_t *restrict mask)
+{
+    for (int i = 0; i < LANES; i++) {
+        uint8_t d = dark[i] & mask[i];
+        to[i] = d > to[i] ? d : to[i];
+    }
+}
+
+/* … for n samples; up to LANES - 1 beyond are read and, unchanged, written. */
+static void darken(uint8_t *to, const uint8_t *dark, int n)
+{
+    static const uint8_t masks[2 * LANES] = {255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255};
+    for (; n > 0; n -= LANES, to += LANES, dark += LANES)
+        darken_lanes(to, dark, masks + (n < LANES ? LANES - n : 0));
+}
+
+/* The rows that wait get their darkness. */
+static void shade_asked(mapper *m)
+{
+    asked_rows *q = &m->asked;
+    uint8_t dark[SAMPLES_ASKED + LANES], *from = dark;
+    m->s->shade(m->s->texture, q->row, q->n, dark);
+    memset(dark + q->samples, 0, LANES);
+    for (int k = 0; k < q->n; from += q->row[k++].n)
+        darken(q->to[k], from, q->row[k].n);
+    q->n = q->samples = 0;
+}
+
+/* Asks for samples first to last, all within the piece: `along` is taken to run evenly between them, as it does on straight
+ * lines and nearly on others. They go into `to`, which is blank or has samples already. */
+static void ask(mapper *m, const row_frame *r, int first, int last, uint8_t *to)
 {
     const piece_frame *f = r->f;
-    uint8_t dark[PATCH_SIDE * MOST_SAMPLES];
+    asked_rows *q = &m->asked;
+    int n = last - first + 1;
+    if (q->n == ROWS_ASKED || q->samples + n > SAMPLES_ASKED)
+        shade_asked(m);
     double along = row_along(m, r, first), mm = m->page_mm;
-    sample_row at = {last - first + 1, along, 0, (r->u + first * f->us) * m->strip_px, f->us * m->strip_px,
+    sample_row at = {n, along, 0, (r->u + first * f->us) * m->strip_px, f->us * m->strip_px,
                      (f->x + first * f->step) * mm, r->y * mm, f->step * mm};
     if (last > first)
         at.along_step = (row_along(m, r, last) - along) / (last - first);
-    m->s->row(m->s->texture, &at, blank ? to + first : dark);
-    for (int i = 0; !blank && i < at.n; i++)
-        to[first + i] = dark[i] > to[first + i] ? dark[i] : to[first + i];
+    q->row[q->n] = at;
+    q->to[q->n++] = to + first;
+    q->samples += n;
 }
 
 /* Samples first to last of a row of the piece into the patch. */
-static void shade(mapper *m, const row_frame *r, int row, int first, int last, uint8_t *to)
+static void ask_row(mapper *m, const row_frame *r, int row, int first, int last, uint8_t *to)
 {
-    int x = r->f->k->in.x0 - m->in.x0, n = m->samples, x0 = x + first / n, x1 = x + last / n + 1, y = row / n;
-    bool blank = x1 <= m->p.from[y] || x0 >= m->p.to[y];
-    mark(m, y, x0, x1);
+    int x = r->f->k->in.x0 - m->in.x0, n = m->samples;
+    mark(m, row / n, x + first / n, x + last / n + 1);
     if (!m->s->one_by_one) {
-        shade_run(m, r, first, last, blank, to);
+        ask(m, r, first, last, to);
         return;
     }
     for (int i = first; i <= last; i++)
         if (is_in_piece(r, i))
-            shade_run(m, r, i, i, false, to);
+            ask(m, r, i, i, to);
 }
 
 /* One row of samples of one piece, at height y (page pixels): row number `row` of the patch. */
@@ -290,7 +334,7 @@ static void map_row(mapper *m, const piece_frame *f, double y, int row)
     while (first <= last && !is_in_piece(&r, last))
         last--;
     if (first <= last)
-        shade(m, &r, row, first, last, m->fine + (size_t)row * m->stride + (size_t)((k->in.x0 - m->in.x0) * m->samples));
+        ask_row(m, &r, row, first, last, m->fine + (size_t)row * m->stride + (size_t)((k->in.x0 - m->in.x0) * m->samples));
 }
 
 /* The piece's samples into the patch, which covers it. */
@@ -302,6 +346,7 @@ static void map_piece(mapper *m, const piece *k)
     int from = k->in.y0 < m->top ? m->top : k->in.y0, to = k->in.y1 > m->foot ? m->foot : k->in.y1;
     for (int j = (from - k->in.y0) * m->samples; j < (to - k->in.y0) * m->samples; j++)
         map_row(m, &f, k->in.y0 + (j + 0.5) / m->samples, (k->in.y0 - m->in.y0) * m->samples + j);
+    shade_asked(m);
 }
 
 /* ---- from the path to pieces ---- */
@@ -457,7 +502,7 @@ static bool make_fine(map_room *room, size_t side)
     if (room->size >= side * side)
         return true;
     plb_free(room->fine);
-    room->fine = plb_new(2 * side * side, 1); /* the second half: samples kept */
+    room->fine = plb_new(2 * side * side + LANES, 1); /* the second half: samples kept */
     room->size = room->fine ? side * side : 0;
     return room->fine != NULL;
 }
@@ -481,7 +526,7 @@ bool plb_strip_map(const shading *s, const map_page *page, const path_samples *p
     m.top = all ? INT_MIN : page->top;
     m.foot = all ? INT_MAX : page->foot;
     m.in = m.wait = (pixel_box){0};
-    m.n = 0;
+    m.n = m.asked.n = m.asked.samples = 0;
     m.stride = (size_t)(PATCH_SIDE * m.samples);
     m.sink = sink;
     m.closure = closure;

@@ -145,8 +145,8 @@ typedef struct {
 /* A texture in the strip frame, as the mapping asks for it. */
 typedef struct {
     const void *texture;
-    /* Darkness, 0 to 255, of each sample of the row, into out[0 .. n). */
-    void (*row)(const void *texture, const sample_row *at, uint8_t *out);
+    /* Darkness, 0 to 255, of each sample of `n` rows, one after the other, into `out`. */
+    void (*shade)(const void *texture, const sample_row *rows, int n, uint8_t *out);
     bool one_by_one;   /* rows have one sample: each at its exact place, no matter what it costs */
     double half_width; /* px: farther across there is none */
     double beyond;     /* px: how far it reaches beyond the ends of an open line */

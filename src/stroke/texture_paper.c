@@ -12,6 +12,7 @@
 #include "base/array.h"
 #include "base/random.h"
 #include "base/units.h"
+#include "base/wide.h"
 
 #include <math.h>
 
@@ -119,23 +120,32 @@ static int16_t height_at(const paper *p, const paper_sheet *sheet, int64_t x, in
 
 #define TEXELS_PER_MM (1 / MM_PER_PAPER_PX)
 
+/* On a page of the paper's resolution. */
+PLB_WIDE static void add_rows(const int8_t *restrict a, const int8_t *restrict b, int n, int16_t *restrict out)
+{
+    for (int k = 0; k < n; k++)
+        out[k] = (int16_t)(a[k] + b[k]);
+}
+
 void plb_paper_row(const paper *p, const paper_sheet *sheet, double x, double y, double step, int n, int16_t *out)
 {
     double px = x * TEXELS_PER_MM, way = step * TEXELS_PER_MM;
     int64_t first = floor_of(px), row = floor_of(y * TEXELS_PER_MM);
     const int8_t *from[PAPER_TILES];
+    const int padded = (n + PAPER_BLOCK - 1) & -PAPER_BLOCK;
     for (int i = 0; i < PAPER_TILES; i++)
         from[i] = p->tile[i][wrap(row + sheet->y[i], i)] + wrap(first + sheet->x[i], i);
-    if (fabs(way - 1) < 1e-9) { /* the page has the paper's resolution */
-        for (int b = 0; b < n; b += PAPER_BLOCK)
-            for (int k = b; k < b + PAPER_BLOCK; k++)
-                out[k] = (int16_t)(from[0][k] + from[1][k]);
+    if (fabs(way - 1) < 1e-9) {
+        add_rows(from[0], from[1], padded, out);
         return;
     }
     float within = (float)(px - (double)first), texels = (float)way;
-    const bool is_near = way * n < PAPER_RUN - 2; /* very coarse pages go round the tiles */
-    for (int k = 0; k < n; k++) {
-        int at = (int)(within + (float)k * texels);
-        out[k] = is_near ? (int16_t)(from[0][at] + from[1][at]) : height_at(p, sheet, first + at, row);
-    }
+    if (way * n < PAPER_RUN - 2)
+        for (int k = 0; k < n; k++) {
+            int at = (int)(within + (float)k * texels);
+            out[k] = (int16_t)(from[0][at] + from[1][at]);
+        }
+    else /* very coarse pages go round the tiles */
+        for (int k = 0; k < n; k++)
+            out[k] = height_at(p, sheet, first + (int)(within + (float)k * texels), row);
 }

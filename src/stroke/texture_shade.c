@@ -1,33 +1,42 @@
 /* SPDX-License-Identifier: MIT
  *
  * The graphite model's darkness at points beside the path (plumbago(7)).
- * Input: a stroke's grain; evenly spaced points in a row of the page, each with its place in the strip frame. Output: the
+ * Input: a stroke's grain; rows of evenly spaced points of the page, each with its place in the strip frame. Output: the
  * darkness of each.
  *
  * A point's expected darkness is that of its exact distance from the path; its score is that of the nearest value of
  * the stroke's field and of the paper's height at its place on the page, each with its share of the variance. Its
  * darkness is the captured quantile, at that score, of pixels where so much is expected. (Interpolated values would lose
- * half the grain's spread.) Rows are read in runs, each in a few passes that have no branch and no division.
+ * half the grain's spread.) The points of many short rows are first located, row after row, and then read in one long
+ * pass, none of which has a branch or a division.
  */
 #include "base/random.h"
+#include "base/wide.h"
 #include "stroke/pencil.h"
 
 #include <math.h>
 #include <string.h>
 
+/* A row is located in runs of at most so many points; so many in all are read at once: small enough to stay in the nearest
+ * cache. */
 #define RUN 32
+#define POINTS 256
 /* The shares of field and paper are weights of so many bits. */
 #define SHARE_BITS 8
 
-/* Vector loops run over whole blocks of points; what lies beyond the last one is never used. */
+/* A run is located in whole blocks of points; what lies beyond the last one is overwritten by the next run. */
 #define BLOCK 8
 
-/* Where a run's points are. */
+/* Where points are. */
 typedef struct {
     int n;
-    int32_t column[RUN], row[RUN]; /* of the field */
-    int32_t place[RUN];            /* of the section, 256 to a step */
-} run;
+    bool ends;                             /* some lie where the pressure is not the line's */
+    int32_t column[POINTS];                /* of the field … */
+    float row[POINTS];                     /* … its whole part is meant */
+    float across[POINTS];                  /* px to the right of the centreline */
+    int16_t height[POINTS];                /* of the paper */
+} points;
+_Static_assert(RUN % BLOCK == 0 && RUN <= PAPER_RUN && POINTS >= 2 * RUN, "a run fits");
 
 /* ---- places ---- */
 
@@ -40,29 +49,47 @@ static inline int32_t within(int32_t v, int32_t high)
     return v > high ? high : v;
 }
 
-/* The profile's place of a point `across` px from the centreline. A line's own width stretches the whole section; the width
- * that a pencil was assigned stretches its core only: flanks and the dust beside them stay as steep as scanned. */
-static inline int32_t place_of(const grain *g, float across)
+/* The whole part of what is cut to 0 … high. */
+static inline int32_t whole_within(float v, float high)
 {
-    float x = fabsf(across) * g->narrow, over = x - g->half_width, ratio = g->half_reference / g->half_width;
-    float place = x * ratio + (1 - ratio) * 0.5f * (over + fabsf(over)); /* the last factor: over, where positive */
-    return within((int32_t)((copysignf(place, across) + 8) * PLACE_UNIT), PLACE_LAST);
+    v = v > 0 ? v : 0;
+    return (int32_t)(v < high ? v : high);
+}
+
+/* Whole blocks. */
+static inline int padded(int n)
+{
+    return (n + BLOCK - 1) & -BLOCK;
+}
+
+/* Where the first point of a run lies and the way to each next, px: along from column `first` on, and across. */
+typedef struct {
+    float along, step, across, aside;
+    float last, middle; /* columns from `first` to the last one; row of the centreline */
+    int32_t first;
+} run;
+
+PLB_WIDE static void locate(run r, int n, int32_t *restrict column, float *restrict row, float *restrict across)
+{
+    for (int i = 0; i < n; i++) {
+        float u = r.across + (float)i * r.aside;
+        across[i] = u;
+        row[i] = u + r.middle;
+        column[i] = r.first + whole_within(r.along + (float)i * r.step, r.last);
+    }
 }
 
 /* All points lie beside the line. Nothing here branches. */
-static void locate_run(const grain *g, const sample_row *at, int from, run *r)
+static void locate_run(const grain *g, const sample_row *at, int from, int n, points *p)
 {
-    double low = at->along + from * at->along_step, high = at->along + (from + r->n - 1) * at->along_step;
-    int32_t first = (int32_t)(low < high ? low : high), last = g->columns - 1, rows = g->rows - 1;
-    float along = (float)(low - first), step = (float)at->along_step, middle = (float)(g->rows / 2) + 0.5f;
-    float across = (float)(at->across + from * at->across_step), aside = (float)at->across_step;
-    for (int b = 0; b < r->n; b += BLOCK)
-        for (int i = b; i < b + BLOCK; i++) {
-            float u = across + (float)i * aside;
-            r->column[i] = within((int32_t)(along + (float)i * step) + first, last);
-            r->row[i] = within((int32_t)(u + middle), rows);
-            r->place[i] = place_of(g, u);
-        }
+    double begin = at->along + from * at->along_step, end = at->along + (from + n - 1) * at->along_step;
+    int32_t first = (int32_t)(begin < end ? begin : end);
+    run r = {.first = first, .along = (float)(begin - first), .step = (float)at->along_step};
+    r.across = (float)(at->across + from * at->across_step);
+    r.aside = (float)at->across_step;
+    r.last = (float)(g->columns - 1 - first);
+    r.middle = (float)(g->rows / 2) + 0.5f;
+    locate(r, padded(n), p->column + p->n, p->row + p->n, p->across + p->n);
 }
 
 /* Beyond an end that is a corner the line goes on as a half disc. True when there is something; moves both coordinates. */
@@ -89,120 +116,264 @@ static void look_beside(const grain *g, double *along, double *across)
     *across += (double)g->ragged * ((double)(h >> 16 & 0xffff) / 32768 - 1);
 }
 
-/* Points one by one: near the ends, and on fine pages. */
-static void locate_one_by_one(const grain *g, const sample_row *at, int from, run *r)
+static inline int32_t floor_of(double v)
 {
-    for (int i = 0; i < r->n; i++) {
-        double along = at->along + (from + i) * at->along_step, across = at->across + (from + i) * at->across_step;
-        bool there = (along >= 0 && along < g->columns) || enter_cap(g, &along, &across);
-        double exact = across;
-        if (g->ragged > 0 && there)
-            look_beside(g, &along, &across);
-        along = along < 0 || !there ? 0 : along >= g->columns ? g->columns - 1 : along;
-        r->column[i] = (int32_t)along;
-        r->row[i] = within((int32_t)floor(across + g->rows / 2 + 0.5), g->rows - 1);
-        r->place[i] = there ? place_of(g, (float)exact) : 0; /* 0: where no darkness is ever expected */
+    int32_t whole = (int32_t)v;
+    return whole - (v < whole);
+}
+
+/* As look_beside has it, where all points lie beside the line: in passes without a branch. */
+static void locate_ragged(const grain *g, const sample_row *at, int from, int n, points *p)
+{
+    const double ragged = (double)g->ragged, half = g->rows / 2, step = at->along_step, aside = at->across_step;
+    const double along0 = at->along, across0 = at->across;
+    const int32_t last = g->columns - 1, rows = g->rows - 1;
+    const int whole = padded(n);
+    int32_t *restrict column = p->column + p->n, x[RUN], y[RUN];
+    float *restrict row = p->row + p->n, *restrict exact = p->across + p->n;
+    for (int i = 0; i < whole; i++) {
+        x[i] = floor_of((along0 + (from + i) * step) * 8);
+        y[i] = floor_of((across0 + (from + i) * aside) * 8);
+    }
+    for (int i = 0; i < n; i++) {
+        uint64_t h = random_mix((uint64_t)x[i] * 0x9e3779b97f4a7c15u ^ (uint64_t)y[i]);
+        x[i] = (int32_t)(h & 0xffff);
+        y[i] = (int32_t)(h >> 16 & 0xffff);
+    }
+    for (int i = 0; i < whole; i++) {
+        double along = along0 + (from + i) * step, across = across0 + (from + i) * aside;
+        exact[i] = (float)across;
+        along += ragged * (x[i] * (1.0 / 32768) - 1);
+        across += ragged * (y[i] * (1.0 / 32768) - 1);
+        column[i] = within((int32_t)along, last); /* what lies before the first is cut to it, as by a floor */
+        row[i] = (float)within((int32_t)(across + half + 0.5), rows);
     }
 }
 
-static bool is_beside_line(const grain *g, const sample_row *at, int from, int n)
+/* A place where no darkness is ever expected, px across. */
+#define NOWHERE (-1000.0f)
+
+/* Points one by one: near the ends. */
+static void locate_one_by_one(const grain *g, const sample_row *at, int from, int n, points *p)
 {
-    double low = at->along + from * at->along_step, high = at->along + (from + n - 1) * at->along_step;
-    return low >= 0 && high >= 0 && low < g->columns && high < g->columns && !(g->ragged > 0);
+    for (int i = 0; i < n; i++) {
+        double along = at->along + (from + i) * at->along_step, across = at->across + (from + i) * at->across_step;
+        bool there = (along >= 0 && along < g->columns) || enter_cap(g, &along, &across);
+        p->across[p->n + i] = there ? (float)across : NOWHERE;
+        if (g->ragged > 0 && there)
+            look_beside(g, &along, &across);
+        along = along < 0 || !there ? 0 : along >= g->columns ? g->columns - 1 : along;
+        p->column[p->n + i] = (int32_t)along;
+        p->row[p->n + i] = (float)within((int32_t)floor(across + g->rows / 2 + 0.5), g->rows - 1);
+    }
+}
+
+/* The points `from` to from + n of the row, at most a run. */
+static void add_run(const grain *g, const sample_row *at, int from, int n, points *p)
+{
+    const paper *on = &g->pencil->grain->paper;
+    double begin = at->along + from * at->along_step, end = at->along + (from + n - 1) * at->along_step, aside = (double)g->ragged;
+    double low = begin < end ? begin : end, high = begin < end ? end : begin;
+    bool beside_line = low >= 0 && high < g->columns;
+    if (!beside_line)
+        locate_one_by_one(g, at, from, n, p);
+    else if (g->ragged > 0)
+        locate_ragged(g, at, from, n, p);
+    else
+        locate_run(g, at, from, n, p);
+    if (on->share > 0)
+        plb_paper_row(on, &g->sheet, at->x + from * at->step, at->y, at->step, n, p->height + p->n);
+    p->ends = p->ends || !beside_line || low - aside < g->plain_first || high + aside >= g->plain_last;
+    p->n += n;
 }
 
 /* ---- darkness ---- */
 
-/* The expected levels and the values of the stroke's field. */
-static void gather(const grain *g, const run *r, int16_t level[RUN], int16_t field[RUN])
+/* What each point comes to, pass after pass. */
+typedef struct {
+    int32_t cell[POINTS];                /* of the field */
+    int32_t knot[POINTS];                /* where its column's levels begin */
+    int32_t place[POINTS];               /* of the section, 256 to a step */
+    uint16_t levels[POINTS];             /* of the places before it and behind it: low and high byte */
+    int16_t level[POINTS], own[POINTS];  /* what is expected; the stroke's own field */
+    int16_t score[POINTS], bend[POINTS]; /* with the paper's; what its table adds to it */
+    uint16_t at_level[POINTS];           /* how much of that, and the row of the table of darkness: low and high byte */
+    uint16_t entry[POINTS];              /* of that table */
+    uint16_t relative[POINTS];           /* darkness */
+} reading;
+
+/* Two bytes in one load. */
+static inline uint16_t pair_of(const uint8_t *at)
 {
-    const size_t stride = (size_t)g->stride;
-    for (int i = 0; i < r->n; i++) {
-        size_t column = (size_t)r->column[i], place = (size_t)r->place[i];
-        const uint8_t *l = g->level + (column + GRAIN_KNOT / 2) / GRAIN_KNOT * GRAIN_PLACES_PADDED + (place >> 8);
-        int w = (int)(place & 255);
-        level[i] = (int16_t)((l[0] * 256 + (l[1] - l[0]) * w + 128) >> 8);
-        field[i] = g->field[column * stride + (size_t)r->row[i]];
+    return (uint16_t)(at[0] | at[1] << 8);
+}
+
+/* The profile's places of points. A line's own width stretches the whole section; the width that a pencil was assigned
+ * stretches its core only: flanks and the dust beside them stay as steep as scanned. */
+PLB_WIDE static void find_places(const grain *g, const points *p, reading *r)
+{
+    const float narrow = g->narrow, half_width = g->half_width, ratio = g->half_reference / g->half_width;
+    for (int i = 0; i < p->n; i++) {
+        float x = fabsf(p->across[i]) * narrow, over = x - half_width;
+        float place = x * ratio + (1 - ratio) * 0.5f * (over + fabsf(over)); /* the last factor: over, where positive */
+        r->place[i] = whole_within((copysignf(place, p->across[i]) + 8) * PLACE_UNIT, PLACE_LAST);
     }
 }
 
-/* On a coarse page: what is expected is the mean over the pixel, across the line. */
-static void gather_coarse(const grain *g, const run *r, int16_t level[RUN], int16_t field[RUN])
+PLB_WIDE static void find_cells(const grain *g, const points *p, reading *r)
 {
-    for (int i = 0; i < r->n; i++) {
-        size_t column = (size_t)r->column[i];
-        const uint8_t *l = g->level + (column + GRAIN_KNOT / 2) / GRAIN_KNOT * GRAIN_PLACES_PADDED;
+    const float last = (float)(g->rows - 1);
+    const int32_t stride = g->stride;
+    for (int i = 0; i < p->n; i++) {
+        r->cell[i] = p->column[i] * stride + whole_within(p->row[i], last);
+        r->knot[i] = (int32_t)((uint32_t)(p->column[i] + GRAIN_KNOT / 2) / GRAIN_KNOT * GRAIN_PLACES_PADDED);
+    }
+}
+
+static void look_up_field(const grain *g, int n, reading *r)
+{
+    const int8_t *field = g->field;
+    for (int i = 0; i < n; i++)
+        r->own[i] = field[r->cell[i]];
+}
+
+static void look_up_levels(const grain *g, int n, reading *r)
+{
+    const uint8_t *level = g->level;
+    for (int i = 0; i < n; i++)
+        r->levels[i] = pair_of(level + r->knot[i] + (r->place[i] >> 8));
+}
+
+/* Between two places: first + (second - first) w / 256, rounded, by the two halves of a product of 16 bits. */
+PLB_WIDE static void find_levels(int n, reading *r)
+{
+    for (int i = 0; i < n; i++) {
+        int16_t first = (int16_t)(r->levels[i] & 255), way = (int16_t)(((r->levels[i] >> 8) - first) * 128);
+        int16_t w = (int16_t)((r->place[i] & 255) * 2);
+        uint16_t rest = (uint16_t)(way * w);
+        r->level[i] = (int16_t)(first + ((way * w) >> 16) + (rest >> 15));
+    }
+}
+
+/* On a coarse page: the mean over the pixel, across the line. */
+static void find_coarse_levels(const grain *g, int n, reading *r)
+{
+    for (int i = 0; i < n; i++) {
+        const uint8_t *levels = g->level + r->knot[i];
         int sum = 0;
         for (int k = -1; k <= 1; k++) {
-            int place = within(r->place[i] + k * g->foot, PLACE_LAST), w = place & 255;
-            sum += l[place >> 8] * 256 + (l[(place >> 8) + 1] - l[place >> 8]) * w;
+            int at = within(r->place[i] + k * g->foot, PLACE_LAST), w = at & 255;
+            const uint8_t *l = levels + (at >> 8);
+            sum += l[0] * 256 + (l[1] - l[0]) * w;
         }
-        level[i] = (int16_t)((sum * 85 + (1 << 15)) >> 16); /* a third of a 256th */
-        field[i] = g->field[column * (size_t)g->stride + (size_t)r->row[i]];
+        r->level[i] = (int16_t)((sum * 85 + (1 << 15)) >> 16); /* a third of a 256th */
     }
 }
 
-static void press(const grain *g, const run *r, int16_t level[RUN])
+static void press(const grain *g, const points *p, reading *r)
 {
-    for (int i = 0; i < r->n; i++)
-        level[i] = (int16_t)((level[i] * (g->ends[r->column[i]] + 1) + 128) >> 8);
+    for (int i = 0; i < p->n; i++)
+        r->level[i] = (int16_t)((r->level[i] * (g->ends[p->column[i]] + 1) + 128) >> 8);
 }
 
-/* The scores: the stroke's share and the paper's. */
-static void lay_on_paper(const grain *g, const sample_row *at, int from, int n, int16_t field[RUN])
+static inline int16_t byte_of(int16_t v)
 {
-    const paper *p = &g->pencil->grain->paper;
-    int16_t height[RUN];
-    if (p->share > 0)
-        plb_paper_row(p, &g->sheet, at->x + from * at->step, at->y, at->step, n, height);
-    else
-        memset(height, 0, sizeof height);
-    for (int i = n; i % BLOCK; i++)
-        field[i] = height[i] = 0; /* the last block is computed whole */
-    for (int b = 0; b < n; b += BLOCK)
-        for (int i = b; i < b + BLOCK; i++)
-            field[i] = (int16_t)((field[i] * g->weight_field + height[i] * g->weight_paper + (1 << (SHARE_BITS - 1))) >> SHARE_BITS);
+    v = v > 0 ? v : 0;
+    return v < 255 ? v : 255;
 }
 
-static void write_darkness(const grain *g, int n, const int16_t level[RUN], const int16_t field[RUN], uint8_t *out)
+/* The scores: the stroke's share and the paper's; as numbers of the table of bends. */
+PLB_WIDE static void find_scores(const grain *g, const points *p, reading *r)
+{
+    const int16_t own = (int16_t)g->weight_field, sheet = (int16_t)g->weight_paper;
+    for (int i = 0; i < p->n; i++) {
+        int both = r->own[i] * own + p->height[i] * sheet + (1 << (SHARE_BITS - 1));
+        r->score[i] = byte_of((int16_t)((both >> SHARE_BITS) + 128));
+    }
+}
+
+static void look_up_bends(const grain *g, int n, reading *r)
+{
+    const int8_t *bend = g->bend;
+    for (int i = 0; i < n; i++)
+        r->bend[i] = bend[r->score[i]];
+}
+
+static void look_up_shares(const grain *g, int n, reading *r)
 {
     const grain_tables *t = g->pencil->grain;
-    const int8_t *bend = g->bend + 128;
-    const uint16_t(*darkness)[128] = (const uint16_t(*)[128])g->darkness;
-    const uint32_t depth = g->depth;
+    for (int i = 0; i < n; i++)
+        r->at_level[i] = (uint16_t)(t->at_level[r->level[i]].share | t->at_level[r->level[i]].row << 8);
+}
+
+PLB_WIDE static void find_entries(int n, reading *r)
+{
     for (int i = 0; i < n; i++) {
-        int m = level[i], f = field[i] + 128;
-        f = within(f, 255) - 128;
-        int z = within(f + ((bend[f] * t->at_level[m].share) >> 8) + 128, 255);
-        uint32_t d = (depth * darkness[t->at_level[m].row][z >> 1] + (1u << 19)) >> 20;
-        out[i] = (uint8_t)(d > 255 ? 255 : d);
+        int16_t bent = (int16_t)((r->bend[i] * (int16_t)(r->at_level[i] & 255)) >> 8);
+        r->entry[i] = (uint16_t)((r->at_level[i] >> 8 << 7) + (byte_of((int16_t)(r->score[i] + bent)) >> 1));
+    }
+}
+
+static void look_up_darkness(const grain *g, int n, reading *r)
+{
+    const uint16_t *darkness = g->darkness;
+    for (int i = 0; i < n; i++)
+        r->relative[i] = darkness[r->entry[i]];
+}
+
+/* Times the line's own depth: 8 fractional bits and the table's 12, of which a whole product's upper half has 4. */
+PLB_WIDE static void find_darkness(const grain *g, int n, const reading *r, uint8_t *restrict out)
+{
+    const uint16_t depth = (uint16_t)g->depth;
+    for (int i = 0; i < n; i++) {
+        uint16_t d = (uint16_t)((uint16_t)(((uint32_t)r->relative[i] * depth >> 16) + 8) >> 4);
+        out[i] = (uint8_t)(d < 255 ? d : 255);
     }
 }
 _Static_assert(GRAIN_RELATIVE_UNIT == 1 << 12, "depth has 8 fractional bits, darkness 12");
 
-static void shade_run(const grain *g, const sample_row *at, int from, int n, uint8_t *out)
+/* Returns how many there were, and forgets them. */
+static int finish(const grain *g, points *p, uint8_t *out)
 {
-    run r;
-    int16_t level[RUN], field[RUN];
-    r.n = n;
-    if (is_beside_line(g, at, from, n))
-        locate_run(g, at, from, &r);
-    else
-        locate_one_by_one(g, at, from, &r);
-    if (g->foot > 0)
-        gather_coarse(g, &r, level, field);
-    else
-        gather(g, &r, level, field);
-    if (r.column[0] < g->plain_first || r.column[0] > g->plain_last || r.column[n - 1] < g->plain_first || r.column[n - 1] > g->plain_last)
-        press(g, &r, level);
-    lay_on_paper(g, at, from, n, field);
-    write_darkness(g, n, level, field, out);
+    reading r; /* large: only what is used is set */
+    const int n = p->n;
+    find_places(g, p, &r);
+    find_cells(g, p, &r);
+    look_up_field(g, n, &r);
+    if (g->foot > 0) {
+        find_coarse_levels(g, n, &r);
+    } else {
+        look_up_levels(g, n, &r);
+        find_levels(n, &r);
+    }
+    if (p->ends)
+        press(g, p, &r);
+    find_scores(g, p, &r);
+    look_up_bends(g, n, &r);
+    look_up_shares(g, n, &r);
+    find_entries(n, &r);
+    look_up_darkness(g, n, &r);
+    find_darkness(g, n, &r, out);
+    p->n = 0;
+    p->ends = false;
+    return n;
 }
 
-static void shade(const void *texture, const sample_row *at, uint8_t *out)
+static void shade(const void *texture, const sample_row *rows, int n, uint8_t *out)
 {
-    for (int i = 0; i < at->n; i += RUN)
-        shade_run(texture, at, i, at->n - i < RUN ? at->n - i : RUN, out + i);
+    const grain *g = texture;
+    points p; /* large: not all of it is set here */
+    p.n = 0;
+    p.ends = false;
+    if (!(g->pencil->grain->paper.share > 0))
+        memset(p.height, 0, sizeof p.height);
+    for (const sample_row *at = rows; at < rows + n; at++)
+        for (int i = 0; i < at->n; i += RUN) {
+            if (p.n + RUN > POINTS)
+                out += finish(g, &p, out);
+            add_run(g, at, i, at->n - i < RUN ? at->n - i : RUN, &p);
+        }
+    finish(g, &p, out);
 }
 
 /* A page between COARSEST and COARSE: a sample stands for a pixel. */

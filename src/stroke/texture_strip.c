@@ -19,14 +19,15 @@ static inline int read_strip(const strip *s, double x, double y)
     return 255 * 256 - ((top * (256 - fy) + bottom * fy + 128) >> 8);
 }
 
-static void row(const void *texture, const sample_row *at, uint8_t *out)
+static void shade(const void *texture, const sample_row *rows, int n, uint8_t *out)
 {
     const strip *s = texture;
-    for (int i = 0; i < at->n; i++) {
-        double x = at->along + i * at->along_step + STRIP_MARGIN - 0.5; /* sample 0 is the middle of its pixel */
-        double y = at->across + i * at->across_step + (s->rows - 1) / 2.0;
-        out[i] = (uint8_t)((read_strip(s, x, y) + 128) >> 8);
-    }
+    for (const sample_row *at = rows; at < rows + n; at++)
+        for (int i = 0; i < at->n; i++) {
+            double x = at->along + i * at->along_step + STRIP_MARGIN - 0.5; /* sample 0 is the middle of its pixel */
+            double y = at->across + i * at->across_step + (s->rows - 1) / 2.0;
+            *out++ = (uint8_t)((read_strip(s, x, y) + 128) >> 8);
+        }
 }
 
 /* The papers have no pressure: the powers of it are the graphite model's, for light lines and for heavy ones
@@ -46,6 +47,6 @@ void plb_strip_press(strip *s, double pressure)
 
 shading plb_strip_shading(const strip *s, double dpi)
 {
-    shading r = {s, row, true, (s->rows - 1) / 2.0, STRIP_MARGIN - 0.5, dpi, false};
+    shading r = {s, shade, true, (s->rows - 1) / 2.0, STRIP_MARGIN - 0.5, dpi, false};
     return r;
 }

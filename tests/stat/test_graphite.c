@@ -124,7 +124,7 @@ static double sample(grain *g, double along, double across)
     shading s = plb_grain_shading(g, 300, 300);
     sample_row at = {.n = 1, .along = along, .across = across};
     uint8_t dark;
-    s.row(s.texture, &at, &dark);
+    s.shade(s.texture, &at, 1, &dark);
     return dark;
 }
 
@@ -358,10 +358,10 @@ static void rows_and_single_samples_agree(void)
         const double *step = steps[id % 6], mm = MM_PER_PAPER_PX;
         sample_row all = {(int)(1 + id * 37 % MOST), step[0] < 0 ? 230.5 : 12.25, step[0], -4.5, step[1], 3 + 0.5 * mm, 7 + 0.5 * mm, mm};
         uint8_t together[MOST], alone;
-        h.row(h.texture, &all, together);
+        h.shade(h.texture, &all, 1, together);
         for (int i = 0; i < all.n; i++) {
             sample_row one = {1, all.along + i * step[0], step[0], all.across + i * step[1], step[1], all.x + i * mm, all.y, mm};
-            h.row(h.texture, &one, &alone);
+            h.shade(h.texture, &one, 1, &alone);
             CHECK(together[i] == alone);
         }
     }
@@ -417,13 +417,13 @@ static void coarse_pixels_are_means_of_fine_ones(void)
                 for (int i = 0; i < 9; i++) {
                     shading usual = plb_grain_shading(&s.grain, 300, 300);
                     sample_row at = {1, x + i % 3 - 1, 1, asides[a] + i / 3 - 1, 0, (x + i % 3 - 1) * mm, (y + i / 3 - 1) * mm, mm};
-                    usual.row(usual.texture, &at, &d);
+                    usual.shade(usual.texture, &at, 1, &d);
                     mean += d / 9.0;
                 }
                 shading whole = plb_grain_shading(&s.grain, 300, 100);
                 sample_row at = {1, x, 3, asides[a], 0, x * mm, y * mm, 3 * mm};
                 CHECK(whole.whole_pixels);
-                whole.row(whole.texture, &at, &d);
+                whole.shade(whole.texture, &at, 1, &d);
                 coarse += d;
                 fine += mean;
                 coarse2 += d * d;
@@ -528,7 +528,7 @@ static double sample_at(grain *g, double along, double across, double x, double 
     shading s = plb_grain_shading(g, 300, 300);
     sample_row at = {1, along, 1, across, 0, x, y, MM_PER_PAPER_PX};
     uint8_t dark;
-    s.row(s.texture, &at, &dark);
+    s.shade(s.texture, &at, 1, &dark);
     return dark;
 }
 

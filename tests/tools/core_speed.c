@@ -55,10 +55,11 @@ static bool lay(void *closure, const patch *p)
     return true;
 }
 
-static void plain_row(const void *texture, const sample_row *at, uint8_t *out)
+static void plain(const void *texture, const sample_row *rows, int n, uint8_t *out)
 {
     (void)texture;
-    memset(out, 100, (size_t)at->n);
+    for (const sample_row *at = rows; at < rows + n; out += at++->n)
+        memset(out, 100, (size_t)at->n);
 }
 
 /* ---- the stages, each with all before it ---- */
@@ -70,9 +71,9 @@ static bool trace(bench *b, const stroke *s)
 
 static bool map(bench *b, const stroke *s)
 {
-    shading plain = {.row = plain_row, .whole_pixels = true, .half_width = 9.5, .dpi = PAPER_PX_PER_INCH}; /* as wide as the usual pencils */
+    shading texture = {.shade = plain, .whole_pixels = true, .half_width = 9.5, .dpi = PAPER_PX_PER_INCH}; /* as wide as the usual pencils */
     map_page rows = {.dpi = b->tools.stroke.dpi};
-    return trace(b, s) && plb_strip_map(&plain, &rows, &b->scratch.path, false, &b->scratch.map, throw_away, NULL);
+    return trace(b, s) && plb_strip_map(&texture, &rows, &b->scratch.path, false, &b->scratch.map, throw_away, NULL);
 }
 
 static bool draw_to(bench *b, const stroke *s, patch_sink sink)
