@@ -115,7 +115,9 @@ $(O)/tests/%: tests/%.c $(O)/libplumbago.a
 
 tool_parts = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tool/plumbago.c src/tool/plumbago_profile.c,$(wildcard src/tool/*.c)))
 # A harness and what calls it: once for each file that is kept, or libFuzzer.
-link_harness = $(Q)mkdir -p $(@D) && $(CC) $(CFLAGS_ALL) -UNDEBUG -Itests/fuzz $(shell pkg-config --cflags $(packages_lib)) $(filter %.c %.o %.a,$^) $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
+link_harness = $(Q)mkdir -p $(@D) && $(CC) $(CFLAGS_ALL) -UNDEBUG -Itests/fuzz $(shell pkg-config --cflags $(packages_lib)) $(filter %.c %.o %.a,$^) $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) $(LIBS_$(notdir $@)) -lm -pthread -o $@
+LIBS_fuzz_plain_svg = $(shell pkg-config --libs $(packages_plain))
+$(O)/tests/fuzz/fuzz_plain_svg $(O)/fuzz_plain_svg: $(plain_obj)
 $(O)/tests/fuzz/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/replay.c tests/fuzz/fuzz.h $(tool_parts) $(O)/libplumbago.a
 	$(say) LINK $@
 	$(link_harness)

@@ -66,17 +66,30 @@ shapes "style" '<path d="M1 2L30 40L9 70" fill="none" stroke="red" stroke-width=
     '<g fill="DarkSlateGray"><g fill="none"/><path d="M1 2L30 40L9 7" opacity="1" display="inline" visibility="visible"/></g>' \
     '<g display="none"><path d="nonsense"/><text>no</text></g><path d="M1 2L3 4"/>' '<g visibility="hidden"><path d="M1 2L3 4"/><path visibility="visible" d="M1 2L3 9"/></g>' \
     '<path d="M1 2L3 4" stroke-width="2" fill="none"/><path d="M1 2L3 4" stroke-width="2" fill="none"/>'
+shapes "opacity" '<path d="M1 2L30 40L9 7" fill-opacity=".5"/>' '<path d="M1 2L30 40L9 7" fill="#12a" fill-opacity=".25" stroke-opacity="0.8"/>' \
+    '<g fill-opacity="0"><path d="M1 2L30 40L9 7" stroke-opacity="0.999" color="teal" stroke="currentColor"/><path d="M1 2L30 40L9 7" fill="currentColor" fill-opacity="2"/></g>'
 shapes "transform" '<g transform="translate(3)scale(2 .5) , rotate(30,1 2)"><path transform="matrix(1 .2 -.3 2 5 6) skewX(9)" d="M1 2L30 40"/></g>' \
     '<path transform=" rotate ( -370 ) skewY(-3) scale(-1-2)" d="M1 2L30 40"/>' '<path transform="" d="M1 2L3 4"/>'
 shapes "document" '<title>T</title><desc>d<b xmlns="urn:x">e</b></desc><metadata/><defs><path id="a" d="x"/></defs><!-- no --><path d="M1 2L3 4"><title/></path>' \
-    '<n:named xmlns:n="urn:n"><path d="M1 1L9 9"/></n:named><path xmlns:n="urn:n" n:type="arc" id="a" class="b" d="M1 2L3 4"/>' '<g/>' '&amp; text <![CDATA[ more ]]>'
+    '<n:named xmlns:n="urn:n"><path d="M1 1L9 9"/></n:named><path xmlns:n="urn:n" n:type="arc" id="a" class="b" d="M1 2L3 4"/>' '<g/>' \
+    '<a href="b"><path d="M1 2L3 4" x="9" width="z" unknown="1" xml:lang="en-GB" xml:id="i" style="font:9px a;background:red;-any-thing:1"/></a>' '&amp; text <![CDATA[ more ]]>'
 plain "size in mm" "$svg width='40mm' height='3cm'><path d='M1 2L30 40'/></svg>"
 plain "size by the viewBox" "$svg viewBox='0,0 300 200'><path d='M1 2L30 40'/></svg>"
 plain "one extent and a viewBox" "$svg width='9in' height='100%' viewBox='0 0 300 200'><path d='M1 2L30 40'/></svg>"
+for fit in none 'xMinYMax meet' 'xMaxYMid slice' xMidYMid; do
+    plain "preserveAspectRatio $fit" "$svg width='90' height='60' viewBox='1 2 30 40' preserveAspectRatio='$fit'><path d='M1 2L30 40'/></svg>"
+done
+unplain "another preserveAspectRatio" "$svg width='90' height='60' viewBox='1 2 30 40' preserveAspectRatio='defer none'><path d='M1 2L30 40'/></svg>"
 plain "a page like a hair" "$svg width='9000' height='1'><path d='M1 2L30 40'/></svg>"
 plain "a wide viewBox" "$svg width='100mm' height='100mm' viewBox='0 0 3e8 3e8'><path d='M1e7 2e6L3e7 4e7' stroke='red' stroke-width='1e5'/></svg>"
 plain "a prefix" "<s:svg xmlns:s='http://www.w3.org/2000/svg' width='9' height='9'><s:path d='M1 2L3 4' stroke='red'/></s:svg>"
 plain "a document type" "<?xml version='1.0' encoding='ISO-8859-1'?><!DOCTYPE svg PUBLIC '-//W3C//DTD SVG 1.1//EN' 'http://www.w3.org/Graphics/SVG/1.1/DTD/svg11.dtd'>$page<path d='M1 2L3 4'/></svg>"
+{ # each colour and opacity that there is
+    echo "$page"
+    for ((i = 0; i < 256; i++)); do echo "<path fill='rgb($i,$((255 - i)),$((i * 7 % 256)))' fill-opacity='0.$((1000 + i * 3))' d='M1 2L3 4L5 8z'/><path fill='#$(printf '%02x%02x%02x' $i $i $i)' d='M1 2L3 4L5 8z'/>"; done
+    echo '</svg>'
+} >colours.svg
+by_both "256 colours" colours.svg || fail "256 colours" "$(cat said)"
 {
     echo "$page"
     for ((i = 0; i < 3000; i++)); do echo "<path stroke='#$((i % 9))0$((i % 7))' d='M$((i * 7 % 200)).$i $((i % 180))l$((i % 13 - 6)).5 $((i % 11 - 5))$([ $((i % 3)) = 0 ] && echo "C$i 2 3 4 $((i % 99)) 5z")'/>"; done
@@ -84,13 +97,13 @@ plain "a document type" "<?xml version='1.0' encoding='ISO-8859-1'?><!DOCTYPE sv
 } >many.svg
 by_both "3,000 paths" many.svg || fail "3,000 paths" "$(cat said)"
 
-unlike "beyond" '<text>a</text>' '<use href="#a"/>' '<style>*{fill:red}</style>' '<svg/>' '<switch/>' '<a/>' '<image/>' '<defs><style/></defs>' \
+unlike "beyond" '<text>a</text>' '<use href="#a"/>' '<style>*{fill:red}</style>' '<svg/>' '<switch/>' '<image/>' '<defs><style/></defs>' \
     '<defs><linearGradient id="a"/></defs>' '<marker/>' '<path><path/></path>' '<foreignObject/>' '<?pi?>' '<path transform="scale(0)" d="M1 2L3 4"/>'
-unlike "value" '<path fill="url(#a)" d="M1 2L3 4"/>' '<g opacity=".5"/>' '<path stroke-opacity="0.5" d="M1 2L3 4"/>' '<path fill="currentColor"/>' '<path fill="inherit"/>' \
+unlike "value" '<path fill="url(#a)" d="M1 2L3 4"/>' '<g opacity=".5"/>' '<path stroke-opacity="50%" d="M1 2L3 4"/>' '<path color="inherit"/>' '<path fill="inherit"/>' \
     '<path fill="#12"/>' '<path fill="rgb(300,0,0)"/>' '<path fill="rgb(1%,2%,3%)"/>' '<path stroke-width="1em"/>' '<path stroke-width="-1"/>' '<path stroke-width="2%"/>' \
     '<path stroke-dasharray="1 0" d="M1 2L3 4"/>' '<path stroke-dasharray="1 2," d="M1 2L3 4"/>' '<path clip-path="url(#a)"/>' '<path mask="url(#a)"/>' '<path filter="url(#a)"/>' \
-    '<path marker-end="url(#a)"/>' '<path vector-effect="non-scaling-stroke"/>' '<path paint-order="stroke"/>' '<path unknown="1"/>' '<path style="fill:red !important"/>' \
-    '<path style="/**/fill:red"/>' '<path style="fill"/>' '<path style="Fill:red"/>' '<path style="font-family:&quot;a"/>' '<path systemLanguage="de"/>' '<path xml:lang="de"/>'
+    '<path marker-end="url(#a)"/>' '<path vector-effect="non-scaling-stroke"/>' '<path paint-order="stroke"/>' '<path style="width:3px"/>' '<path transform-origin="1 2"/>' '<path style="fill:red !important"/>' \
+    '<path style="/**/fill:red"/>' '<path style="fill"/>' '<path style="Fill:red"/>' '<path style="font-family:&quot;a"/>' '<path systemLanguage="de"/>' '<path xml:lang="?"/>'
 unlike "fault" '<path d="M1"/>' '<path d="L1 2"/>' '<path d="M1 2X"/>' '<path d="M1 2L3 4,"/>' '<path d="M1 2 3"/>' '<path d="M1 2A1 1 0 2 0 3 4"/>' '<path d="M1e400 2L3 4"/>' \
     '<path d="M1 2e"/>' '<path d="M1 2L1e9 1e9"/>' '<polyline points="1 2 3"/>' '<polyline points="1,2 ,3,4"/>' '<polyline/>' '<rect width="-1" height="2"/>' '<circle r="x"/>' \
     '<path transform="rotate(1 2)"/>' '<path transform="scale(1,)"/>' '<path transform="nonsense"/>' '<path d="M5 5"/>' '<path d="M5 5" stroke-linecap="square"/>' \

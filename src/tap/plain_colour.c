@@ -54,7 +54,7 @@ static int compare_names(const void *name, const void *entry) { return strcmp(na
 
 static void set(plain_paint *p, unsigned rgb)
 {
-    *p = (plain_paint){false, (unsigned char)(rgb >> 16), (unsigned char)(rgb >> 8 & 255), (unsigned char)(rgb & 255)};
+    *p = (plain_paint){.red = (unsigned char)(rgb >> 16), .green = (unsigned char)(rgb >> 8 & 255), .blue = (unsigned char)(rgb & 255)};
 }
 
 static bool find_name(plain_text t, plain_paint *p)

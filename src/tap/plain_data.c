@@ -225,6 +225,8 @@ bool plb_plain_points(plain_path *p, plain_text points, bool closed, bool square
     data d = {.path = p, .text = points, .is_square = square};
     bool more = true;
     double v[2];
+    if (!points.at)
+        return false;
     plb_plain_blank(&d.text);
     for (bool first = true; more; first = false)
         if (!read_point(&d.text, v, &more) || !(first ? move : line)(&d, v) || p->failed)

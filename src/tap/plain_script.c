@@ -134,19 +134,29 @@ static void write_identity(plain_script *s)
     s->now.is_turned = false;
 }
 
+/* In single precision, as librsvg hands it on. */
+static double share_of(unsigned char part) { return (double)((float)part / 255.0f); }
+
 static void write_source(plain_script *s, const plain_paint *p)
 {
     plain_paint *now = &s->now.source;
-    if (p->red == now->red && p->green == now->green && p->blue == now->blue)
+    if (p->red == now->red && p->green == now->green && p->blue == now->blue && p->alpha == now->alpha)
         return;
     *now = *p;
-    if (p->red == p->green && p->red == p->blue) {
-        write_number(s, p->red / 255.0, " g set-source\n");
+    bool is_opaque = p->alpha == 255;
+    if (!is_opaque && !(p->red | p->green | p->blue)) {
+        write_number(s, share_of(p->alpha), " a set-source\n");
         return;
     }
-    write_number(s, p->red / 255.0, " ");
-    write_number(s, p->green / 255.0, " ");
-    write_number(s, p->blue / 255.0, " rgb set-source\n");
+    if (is_opaque && p->red == p->green && p->red == p->blue) {
+        write_number(s, share_of(p->red), " g set-source\n");
+        return;
+    }
+    write_number(s, share_of(p->red), " ");
+    write_number(s, share_of(p->green), " ");
+    write_number(s, share_of(p->blue), is_opaque ? " rgb set-source\n" : " ");
+    if (!is_opaque)
+        write_number(s, share_of(p->alpha), " rgba set-source\n");
 }
 
 static void write_rule(plain_script *s, bool even_odd)
@@ -271,23 +281,22 @@ static bool normalise_dashes(plain_pen *p, const tap_matrix *m)
 
 /* ---- drawing ------------------------------------------------------------------------------------------------ */
 
-static void fill(plain_script *s, const plain_style *style, bool *written)
+static void fill(plain_script *s, const plain_paint *paint, bool even_odd, bool *written)
 {
     write_identity(s);
-    write_source(s, &style->fill);
-    write_rule(s, style->even_odd);
+    write_source(s, paint);
+    write_rule(s, even_odd);
     write_path(s, written);
     write_text(s, "fill+\n");
 }
 
-static bool stroke(plain_script *s, const plain_style *style, bool *written)
+static bool stroke(plain_script *s, const plain_paint *paint, plain_pen pen, bool *written)
 {
-    plain_pen pen = style->pen;
     if (!normalise_dashes(&pen, &s->path.matrix))
         return false;
     write_identity(s);
     write_path(s, written);
-    write_source(s, &style->stroke);
+    write_source(s, paint);
     write_pen(s, &pen, write_matrix(s));
     write_text(s, "stroke+\n");
     return true;
@@ -296,7 +305,8 @@ static bool stroke(plain_script *s, const plain_style *style, bool *written)
 bool plb_plain_draw(plain_script *s, const plain_style *style)
 {
     const plain_path *p = &s->path;
-    bool fills = !style->fill.is_none && !p->is_empty, strokes = !style->stroke.is_none && style->pen.width > 0;
+    plain_paint inside = plb_plain_fill(style), line = plb_plain_stroke(style);
+    bool fills = !inside.is_none && !p->is_empty, strokes = !line.is_none && style->pen.width > 0;
     if (p->failed || s->failed || (p->has_current && !p->n_ops) || (p->is_upright && (fills || p->n_ops >= 4)))
         return false;
     if (style->is_hidden || !p->n_ops || !(fills || strokes))
@@ -305,8 +315,8 @@ bool plb_plain_draw(plain_script *s, const plain_style *style)
         write_surface(s);
     bool was_written = is_written(s), written = was_written;
     if (fills)
-        fill(s, style, &written);
-    if (strokes && !stroke(s, style, &written))
+        fill(s, &inside, style->even_odd, &written);
+    if (strokes && !stroke(s, &line, style->pen, &written))
         return false;
     if (!was_written) {
         plain_path other = s->written;
@@ -323,7 +333,7 @@ void plb_plain_script_begin(plain_script *s, const tap_page *p)
     tap_placing l = plb_tap_place(p);
     char line[TAP_HEAD_MAX];
     *s = (plain_script){.width = l.width, .height = l.height};
-    s->now = (plain_context){.pen = {.width = 2, .miter_limit = 10}, .pen_matrix = {1, 0, 0, 1, 0, 0}};
+    s->now = (plain_context){.source = {.alpha = 255}, .pen = {.width = 2, .miter_limit = 10}, .pen_matrix = {1, 0, 0, 1, 0, 0}};
     plb_plain_digits(&s->digits);
     plb_tap_head(p, (tap_losses){0}, line);
     write_text(s, line);

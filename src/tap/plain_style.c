@@ -6,8 +6,21 @@
 
 plain_style plb_plain_style(void)
 {
-    return (plain_style){.stroke = {.is_none = true}, .pen = {.width = 1, .miter_limit = 4}};
+    return (plain_style){.stroke = {.is_none = true}, .pen = {.width = 1, .miter_limit = 4}, .fill_opacity = 1, .stroke_opacity = 1};
 }
+
+/* librsvg keeps opacities in steps of 1/255. */
+static plain_paint resolve(const plain_style *s, plain_paint p, double opacity)
+{
+    if (p.is_current)
+        p = s->colour;
+    p.alpha = (unsigned char)round(opacity * 255);
+    p.is_none = p.is_none || !p.alpha;
+    return p;
+}
+
+plain_paint plb_plain_fill(const plain_style *s) { return resolve(s, s->fill, s->fill_opacity); }
+plain_paint plb_plain_stroke(const plain_style *s) { return resolve(s, s->stroke, s->stroke_opacity); }
 
 /* ---- properties --------------------------------------------------------------------------------------------- */
 
@@ -17,11 +30,27 @@ static bool set_paint(plain_paint *p, plain_text value)
         *p = (plain_paint){.is_none = true};
         return true;
     }
+    if (plb_plain_is(value, "currentColor")) {
+        *p = (plain_paint){.is_current = true};
+        return true;
+    }
     return plb_plain_colour(value, p);
 }
 
 static bool set_fill(plain_style *s, plain_text value) { return set_paint(&s->fill, value); }
 static bool set_stroke(plain_style *s, plain_text value) { return set_paint(&s->stroke, value); }
+
+static bool set_colour(plain_style *s, plain_text value) { return plb_plain_colour(value, &s->colour); }
+
+static bool read_opacity(plain_text value, double *v)
+{
+    bool ok = plb_plain_css_number(&value, v) && value.at == value.end;
+    *v = fmin(fmax(*v, 0), 1);
+    return ok;
+}
+
+static bool set_fill_opacity(plain_style *s, plain_text value) { return read_opacity(value, &s->fill_opacity); }
+static bool set_stroke_opacity(plain_style *s, plain_text value) { return read_opacity(value, &s->stroke_opacity); }
 
 static bool set_width(plain_style *s, plain_text value) { return plb_plain_length(value, &s->pen.width) && s->pen.width >= 0; }
 
@@ -59,23 +88,25 @@ static bool set_rule(plain_style *s, plain_text value)
     return s->even_odd || plb_plain_is(value, "nonzero");
 }
 
-/* Dashes without length have meanings of their own to librsvg and cairo: not plain. */
+/* Dashes without length have meanings of their own to librsvg and cairo: not plain, unless there are no others. */
 static bool set_dashes(plain_style *s, plain_text value)
 {
-    plain_pen *p = &s->pen;
-    p->n_dashes = 0;
+    double *dashes = s->pen.dashes;
+    int n = 0, zeros = 0;
+    s->pen.n_dashes = 0;
     if (plb_plain_is(value, "none"))
         return true;
-    do {
-        if (p->n_dashes == PLAIN_DASHES || !plb_plain_next_length(&value, &p->dashes[p->n_dashes]) || !(p->dashes[p->n_dashes] > 0))
+    for (const char *before = NULL; value.at < value.end && value.at != before; n++) {
+        if (n == PLAIN_DASHES || !plb_plain_next_length(&value, &dashes[n]) || dashes[n] < 0)
             return false;
-        p->n_dashes++;
-        const char *before = value.at;
+        zeros += dashes[n] == 0;
+        before = value.at;
         plb_plain_comma(&value);
-        if (value.at == before)
-            break;
-    } while (value.at < value.end);
-    return value.at == value.end && value.end[-1] != ',';
+    }
+    if (!n || value.at < value.end || value.end[-1] == ',' || (zeros && zeros < n))
+        return false;
+    s->pen.n_dashes = zeros ? 0 : n;
+    return true;
 }
 
 static bool set_dash_offset(plain_style *s, plain_text value) { return plb_plain_length(value, &s->pen.dash_offset); }
@@ -109,7 +140,7 @@ static bool is_none(plain_style *s, plain_text value)
 static bool is_normal(plain_style *s, plain_text value)
 {
     (void)s;
-    return plb_plain_is(value, "normal") || plb_plain_is(value, "auto") || plb_plain_is(value, "accumulate");
+    return plb_plain_is(value, "normal") || plb_plain_is(value, "auto");
 }
 
 typedef struct {
@@ -120,6 +151,9 @@ typedef struct {
 static const property properties[] = {
     {"fill", set_fill},
     {"stroke", set_stroke},
+    {"color", set_colour},
+    {"fill-opacity", set_fill_opacity},
+    {"stroke-opacity", set_stroke_opacity},
     {"stroke-width", set_width},
     {"stroke-linecap", set_cap},
     {"stroke-linejoin", set_join},
@@ -130,8 +164,6 @@ static const property properties[] = {
     {"visibility", set_visibility},
     {"display", set_display},
     {"opacity", is_one},
-    {"fill-opacity", is_one},
-    {"stroke-opacity", is_one},
     {"clip-path", is_none},
     {"mask", is_none},
     {"filter", is_none},
@@ -143,21 +175,17 @@ static const property properties[] = {
     {"paint-order", is_normal},
     {"mix-blend-mode", is_normal},
     {"isolation", is_normal},
-    {"enable-background", is_normal},
 };
 
-/* Without text, gradients and filters they change nothing that is drawn, whatever they say. */
-static const char *const without_effect[] = {
-    "color", "font", "font-family", "font-size", "font-size-adjust", "font-stretch", "font-style", "font-variant", "font-weight",
-    "font-variant-ligatures", "font-variant-caps", "font-variant-numeric", "font-variant-east-asian", "font-variant-position",
-    "font-variant-alternates", "font-variant-settings", "font-feature-settings", "font-variation-settings", "font-synthesis",
-    "text-anchor", "text-align", "text-decoration", "text-decoration-line", "text-decoration-style", "text-decoration-color",
-    "text-indent", "text-transform", "text-rendering", "text-orientation", "text-overflow", "line-height", "letter-spacing",
-    "word-spacing", "white-space", "writing-mode", "direction", "unicode-bidi", "baseline-shift", "dominant-baseline",
-    "alignment-baseline", "glyph-orientation-vertical", "shape-padding", "shape-margin", "inline-size", "block-progression",
-    "clip-rule", "color-interpolation", "color-interpolation-filters", "color-profile", "color-rendering", "shape-rendering",
-    "image-rendering", "stop-color", "stop-opacity", "flood-color", "flood-opacity", "lighting-color", "solid-color",
-    "solid-opacity", "pointer-events", "cursor", "-inkscape-font-specification", "-inkscape-stroke", NULL,
+/* More than this reader knows, in one version of SVG or CSS or another, and whether or not librsvg knows it. All others
+ * either have no effect without text, gradients and filters, or none at all. */
+static const char *const beyond[] = {
+    "transform", "transform-origin", "transform-box", "translate", "rotate", "scale", "offset", "offset-path", "offset-distance",
+    "offset-position", "offset-anchor", "offset-rotate", "perspective", "zoom", "clip", "contain", "content", "all", "mask-image",
+    "mask-border", "mask-border-source", "backdrop-filter", "will-change", "stroke-alignment", "stroke-align", "stroke-dashcorner",
+    "stroke-dashadjust", "stroke-dash-corner", "stroke-dash-justify", "stroke-image", "stroke-position", "fill-image", "pathLength",
+    "requiredFeatures", "requiredExtensions", "systemLanguage", "externalResourcesRequired", "d", "x", "y", "width", "height",
+    "cx", "cy", "r", "rx", "ry", NULL,
 };
 
 bool plb_plain_property(plain_style *s, plain_text name, plain_text value)
@@ -165,7 +193,7 @@ bool plb_plain_property(plain_style *s, plain_text name, plain_text value)
     for (size_t i = 0; i < sizeof properties / sizeof *properties; i++)
         if (plb_plain_is(name, properties[i].name))
             return properties[i].set(s, plb_plain_trim(value));
-    return plb_plain_is_any(name, without_effect);
+    return !plb_plain_is_any(name, beyond);
 }
 
 /* ---- style attributes --------------------------------------------------------------------------------------- */
@@ -175,7 +203,7 @@ static const char *end_of_declaration(plain_text t)
 {
     char quote = '\0';
     for (; t.at < t.end && (quote || *t.at != ';'); t.at++) {
-        if (*t.at == '\\' || *t.at == '!' || *t.at == '{' || *t.at == '}' || *t.at == '[' || *t.at == '@' || *t.at == '*')
+        if (memchr("\\!{}[]@*<", *t.at, 9))
             return NULL;
         if (*t.at == quote)
             quote = '\0';
@@ -185,13 +213,23 @@ static const char *end_of_declaration(plain_text t)
     return quote ? NULL : t.at;
 }
 
+/* Properties are written in lower case: CSS reads other letters as these, librsvg does not. */
+static bool is_lower_word(plain_text t)
+{
+    const char *at = t.at;
+    while (at < t.end && ((*at >= 'a' && *at <= 'z') || *at == '-' || (*at >= '0' && *at <= '9')))
+        at++;
+    return at == t.end && at > t.at;
+}
+
 static bool read_declaration(plain_style *s, plain_text t)
 {
     t = plb_plain_trim(t);
     const char *colon = t.at == t.end ? NULL : memchr(t.at, ':', (size_t)(t.end - t.at));
     if (!colon)
         return t.at == t.end;
-    return plb_plain_property(s, plb_plain_trim((plain_text){t.at, colon}), (plain_text){colon + 1, t.end});
+    plain_text name = plb_plain_trim((plain_text){t.at, colon});
+    return is_lower_word(name) && plb_plain_property(s, name, (plain_text){colon + 1, t.end});
 }
 
 bool plb_plain_declarations(plain_style *s, plain_text style)

@@ -13,8 +13,9 @@
 #define PLAIN_DASHES 32 /* most in a pattern */
 
 typedef struct {
-    bool is_none;
+    bool is_none, is_current; /* is_current: the property "color" says it */
     unsigned char red, green, blue;
+    unsigned char alpha; /* of what is drawn, from 255, opaque */
 } plain_paint;
 
 typedef enum { PLAIN_BUTT, PLAIN_ROUND, PLAIN_SQUARE } plain_cap;
@@ -30,7 +31,8 @@ typedef struct {
 } plain_pen;
 
 typedef struct {
-    plain_paint fill, stroke;
+    plain_paint fill, stroke, colour;
+    double fill_opacity, stroke_opacity;
     plain_pen pen;
     bool even_odd;
     bool is_hidden; /* by visibility */
@@ -40,11 +42,15 @@ typedef struct {
 /* Black and without a line. */
 plain_style plb_plain_style(void);
 
-/* One property or presentation attribute. False: not plain, that is unknown, not well-formed, or worth more than a plain
- * reader knows. */
+/* One property or presentation attribute; those without effect on what is plain are passed over. False: not plain, that is
+ * not well-formed, or of more effect than a plain reader knows. */
 bool plb_plain_property(plain_style *s, plain_text name, plain_text value);
 /* What a style attribute says. */
 bool plb_plain_declarations(plain_style *s, plain_text style);
+
+/* What is drawn with: the colour and how much it covers. */
+plain_paint plb_plain_fill(const plain_style *s);
+plain_paint plb_plain_stroke(const plain_style *s);
 
 /* A colour, by name or number (plain_colour.c). */
 bool plb_plain_colour(plain_text t, plain_paint *p);

@@ -16,9 +16,9 @@
 #define SVG_NAMESPACE "http://www.w3.org/2000/svg"
 
 /* The attributes that say where something lies. */
-enum { AT_D, AT_POINTS, AT_X, AT_Y, AT_WIDTH, AT_HEIGHT, AT_X1, AT_Y1, AT_X2, AT_Y2, AT_CX, AT_CY, AT_R, AT_RX, AT_RY, AT_VIEWBOX, PLACES };
+enum { AT_D, AT_POINTS, AT_X, AT_Y, AT_WIDTH, AT_HEIGHT, AT_X1, AT_Y1, AT_X2, AT_Y2, AT_CX, AT_CY, AT_R, AT_RX, AT_RY, AT_VIEWBOX, AT_FIT, PLACES };
 static const char *const place_names[PLACES] = {"d",  "points", "x",  "y",  "width", "height", "x1", "y1",
-                                                "x2", "y2",     "cx", "cy", "r",     "rx",     "ry", "viewBox"};
+                                                "x2", "y2",     "cx", "cy", "r",     "rx",     "ry", "viewBox", "preserveAspectRatio"};
 #define BIT(n) (1u << (n))
 
 typedef struct {
@@ -98,12 +98,56 @@ static tap_matrix turn_matrix(const tap_placing *l)
     return plb_tap_multiply(scale, plb_tap_multiply(rotation, shift));
 }
 
-/* The viewBox fitted into the middle of the viewport (SVG 1.1, section 7.8), then the turn. */
-static tap_matrix root_matrix(const tap_page *p, const double box[4])
+/* How the viewBox lies in the viewport: shares of the room left and above; stretched; cut off. */
+typedef struct {
+    double x, y;
+    bool is_stretched, is_sliced;
+} fit;
+
+/* Min, Mid or Max: how much of the room lies before. */
+static bool read_share(const char *word, double *share)
+{
+    static const char *const words[] = {"Min", "Mid", "Max"};
+    int i = 0;
+    while (i < 3 && memcmp(word, words[i], 3) != 0)
+        i++;
+    *share = i / 2.0;
+    return i < 3;
+}
+
+/* none or xM..YM.., then meet, slice or nothing. */
+static bool read_fit(plain_text t, fit *f)
+{
+    *f = (fit){.x = 0.5, .y = 0.5};
+    if (!t.at)
+        return true;
+    t = plb_plain_trim(t);
+    plain_text align = {t.at, t.at};
+    while (align.end < t.end && *align.end != ' ')
+        align.end++;
+    plain_text rest = plb_plain_trim((plain_text){align.end, t.end});
+    f->is_sliced = plb_plain_is(rest, "slice");
+    f->is_stretched = plb_plain_is(align, "none");
+    if (!f->is_sliced && rest.at != rest.end && !plb_plain_is(rest, "meet"))
+        return false;
+    bool is_aligned = align.end - align.at == 8 && align.at[0] == 'x' && align.at[4] == 'Y';
+    return f->is_stretched || (is_aligned && read_share(align.at + 1, &f->x) && read_share(align.at + 5, &f->y));
+}
+
+/* Where it starts: as librsvg calculates it, to the last digit. */
+static double start_of(double share, double whole, double part)
+{
+    return share == 0 ? 0 : share == 1 ? whole - part : (whole - part) / 2;
+}
+
+/* The viewBox fitted into the viewport (SVG 1.1, section 7.8), then the turn. */
+static tap_matrix root_matrix(const tap_page *p, const double box[4], const fit *f)
 {
     tap_placing l = plb_tap_place(p);
-    double w = p->width * l.scale * l.fit, h = p->height * l.scale * l.fit, factor = fmin(w / box[2], h / box[3]);
-    double inner_w = box[2] * factor, inner_h = box[3] * factor, x = (w - inner_w) / 2, y = (h - inner_h) / 2;
+    double w = p->width * l.scale * l.fit, h = p->height * l.scale * l.fit, x_factor = w / box[2], y_factor = h / box[3];
+    double factor = f->is_sliced ? fmax(x_factor, y_factor) : fmin(x_factor, y_factor);
+    double inner_w = f->is_stretched ? w : box[2] * factor, inner_h = f->is_stretched ? h : box[3] * factor;
+    double x = start_of(f->x, w, inner_w), y = start_of(f->y, h, inner_h);
     tap_matrix place = {1, 0, 0, 1, x, y}, corner = {1, 0, 0, 1, -box[0], -box[1]};
     tap_matrix scale = {((x + inner_w) - x) / box[2], 0, 0, ((y + inner_h) - y) / box[3], 0, 0};
     return plb_tap_multiply(plb_tap_multiply(corner, plb_tap_multiply(scale, place)), turn_matrix(&l));
@@ -120,7 +164,10 @@ static bool open_page(reader *r, const attributes *a, level *l)
     tap_page p = plb_tap_page();
     tap_extent w, h;
     double box[4] = {0, 0, 0, 0};
+    fit f;
     bool has_box = a->place[AT_VIEWBOX].at != NULL;
+    if (!read_fit(a->place[AT_FIT], &f))
+        return refuse(r, "preserveAspectRatio", a->place[AT_FIT]);
     if (has_box && !read_box(a->place[AT_VIEWBOX], box))
         return refuse(r, "viewBox", a->place[AT_VIEWBOX]);
     if (!read_extent(a->place[AT_WIDTH], &w) || !read_extent(a->place[AT_HEIGHT], &h))
@@ -130,7 +177,7 @@ static bool open_page(reader *r, const attributes *a, level *l)
     if (a->transform.at || !is_zero(a->place[AT_X]) || !is_zero(a->place[AT_Y]))
         return refuse(r, "place of the page", a->transform);
     double whole[4] = {0, 0, p.width, p.height};
-    l->matrix = root_matrix(&p, has_box ? box : whole);
+    l->matrix = root_matrix(&p, has_box ? box : whole, &f);
     plb_plain_script_begin(r->script, &p);
     r->has_page = true;
     return true;
@@ -202,6 +249,7 @@ typedef struct {
 static const element elements[] = {
     {"path", BIT(AT_D), draw_path},
     {"g", 0, NULL},
+    {"a", 0, NULL},
     {"line", BIT(AT_X1) | BIT(AT_Y1) | BIT(AT_X2) | BIT(AT_Y2), draw_line},
     {"polyline", BIT(AT_POINTS), draw_polyline},
     {"polygon", BIT(AT_POINTS), draw_polygon},
@@ -209,7 +257,7 @@ static const element elements[] = {
     {"circle", BIT(AT_CX) | BIT(AT_CY) | BIT(AT_R), draw_circle},
     {"ellipse", BIT(AT_CX) | BIT(AT_CY) | BIT(AT_RX) | BIT(AT_RY), draw_ellipse},
 };
-static const element root = {"svg", BIT(AT_X) | BIT(AT_Y) | BIT(AT_WIDTH) | BIT(AT_HEIGHT) | BIT(AT_VIEWBOX), NULL};
+static const element root = {"svg", BIT(AT_X) | BIT(AT_Y) | BIT(AT_WIDTH) | BIT(AT_HEIGHT) | BIT(AT_VIEWBOX) | BIT(AT_FIT), NULL};
 
 static const element *find_element(const reader *r, const char *name)
 {
@@ -223,45 +271,37 @@ static const element *find_element(const reader *r, const char *name)
 
 /* ---- attributes --------------------------------------------------------------------------------------------- */
 
-static bool starts_with(plain_text t, const char *start)
+/* Only letters, digits and hyphens, as librsvg can read it. */
+static bool is_language(plain_text t)
 {
-    size_t n = strlen(start);
-    return (size_t)(t.end - t.at) > n && !memcmp(t.at, start, n);
+    const char *at = t.at;
+    while (at < t.end && ((unsigned char)((*at | 32) - 'a') < 26 || (at > t.at + 1 && (*at == '-' || (unsigned char)(*at - '0') < 10))))
+        at++;
+    return at == t.end && at > t.at + 1 && at[-1] != '-';
 }
 
-/* Those that only describe; without a style sheet a class is one of them. */
-static bool is_ignored(plain_text name)
-{
-    static const char *const names[] = {"id", "class", "version", "baseProfile", "contentScriptType", "contentStyleType", "role",
-                                        "tabindex", "lang", "zoomAndPan", "overflow", NULL};
-    return plb_plain_is_any(name, names) || starts_with(name, "data-") || starts_with(name, "aria-");
-}
-
-static bool is_default_fit(plain_text name, plain_text value)
-{
-    return plb_plain_is(name, "preserveAspectRatio") && (plb_plain_is(value, "xMidYMid") || plb_plain_is(value, "xMidYMid meet"));
-}
-
-/* Of another namespace: ignored as librsvg ignores it, but for the two that mean something to it. */
+/* Of another namespace: ignored as librsvg ignores it, but for those that mean something to it. */
 static bool is_foreign(const char *uri, plain_text name, plain_text value)
 {
     if (!strcmp(uri, (const char *)XML_XML_NAMESPACE))
-        return plb_plain_is(name, "space") && (plb_plain_is(value, "preserve") || plb_plain_is(value, "default"));
-    return strcmp(uri, SVG_NAMESPACE) != 0 && strcmp(uri, "http://www.w3.org/1999/xlink") != 0;
+        return plb_plain_is(name, "space") ? plb_plain_is(value, "preserve") || plb_plain_is(value, "default")
+                                           : !plb_plain_is(name, "lang") || is_language(value);
+    return strcmp(uri, SVG_NAMESPACE) != 0;
 }
 
 static bool read_attribute(reader *r, const element *e, attributes *a, plain_style *style, plain_text name, plain_text value)
 {
     for (unsigned i = 0; i < PLACES; i++)
-        if ((e->places & BIT(i)) && plb_plain_is(name, place_names[i])) {
-            a->place[i] = value;
+        if (plb_plain_is(name, place_names[i])) {
+            if (e->places & BIT(i))
+                a->place[i] = value;
             return true;
         }
     if (plb_plain_is(name, "transform"))
         a->transform = value;
     else if (plb_plain_is(name, "style"))
         a->style = value;
-    else if (!is_ignored(name) && !(e == &root && is_default_fit(name, value)) && !plb_plain_property(style, name, value))
+    else if (!plb_plain_property(style, name, value))
         return refuse(r, "attribute", name);
     return true;
 }
