@@ -4,6 +4,7 @@
  */
 #include "api/api_internal.h"
 #include "api/plumbago.h"
+#include "api/sample.h"
 #include "base/array.h"
 #include "base/units.h"
 #include "profile/profile.h"
@@ -81,6 +82,7 @@ plb_profile *plb_profile_capture(const char *const scans[], size_t n, const plb_
     inside.centre_max = given.centre_max;
     inside.width = given.width;
     inside.grain = given.grain ? &given.grain->p->grain : NULL;
+    inside.sample = given.as_measured ? NULL : plb_api_sample;
     inside.say = plb_api_messenger(&adaptor);
     return wrap(plb_capture(scans, n, &inside, &failed), &failed, to);
 }

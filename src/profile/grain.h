@@ -49,15 +49,23 @@ bool plb_grain_lines_make(const line_strip strips[], size_t n, grain_lines *out,
 void plb_grain_lines_free(grain_lines *lines);
 /* grain_section.c: g->section. */
 void plb_grain_section(const grain_lines *lines, grain_model *g);
-/* grain_modes.c: g->mode, the coefficients of the columns. */
+/* The root of g->section so far from the centreline: where nothing deviates. */
+double plb_grain_root(const grain_model *g, double place);
+/* How fast its square changes: modes are in darkness, and work on the root by this much less. */
+double plb_grain_root_slope(double root);
+/* grain_modes.c: g->mode, the coefficients of the columns; g->section becomes the square of the mean root. */
 bool plb_grain_modes(grain_lines *lines, grain_model *g, error *err);
 /* grain_slow.c: g->mode_between, mode_within, mode_length; the means of the coefficients. */
 void plb_grain_slow(grain_lines *lines, grain_model *g);
 /* grain_darkness.c: the levels of the pixels and g->darkness; the normal score of a darkness at a level. */
 bool plb_grain_darkness(grain_lines *lines, grain_model *g, error *err);
 double plb_grain_score(const grain_model *g, double level, double dark);
+/* The score below which a pixel shows nothing; `least`: the relative darkness of the faintest grey. -3: it always shows. */
+double plb_grain_bare_score(const grain_model *g, double level, double least);
 /* grain_scores.c: scores, roughness and own correlation of the lines, g->place_scale. */
 void plb_grain_scores(grain_lines *lines, grain_model *g);
+/* grain_places.c: g->place_along, place_across. */
+void plb_grain_places(const grain_lines *lines, grain_model *g);
 /* grain_moments.c: g->volatility, volatility_across. */
 void plb_grain_moments(const grain_lines *lines, grain_model *g, grain_moments *m);
 /* grain_chain.c: g->chain_…; response[d][e] is the covariance at lag d of the chain's output where its innovations have
@@ -71,9 +79,11 @@ void plb_grain_filter(const grain_moments *m, grain_model *g);
 /* grain_between.c: g->line_mean, line_factor. */
 void plb_grain_between(const grain_lines *lines, const grain_moments *m, grain_model *g);
 
-/* grain_capture.c: all of it. `width`: mean width of the lines, px; 0: as measured. Too little line leaves g->present
- * false. */
-bool plb_grain_capture(const line_strip strips[], size_t n, double width, grain_model *g, error *err);
+/* grain_capture.c: all of it. Too little line leaves g->present false. */
+bool plb_grain_capture(const line_strip strips[], size_t n, grain_model *g, error *err);
+
+/* grain_refine.c: corrects p->grain by what the lines that `sample` draws with it are captured as. */
+bool plb_grain_refine(profile *p, line_sampler *sample, void *closure, error *err);
 
 /* Takes the correlation of another grain, and its spread in part: the more the less dark. */
 void plb_grain_borrow(grain_model *g, const grain_model *from);
@@ -84,7 +94,7 @@ typedef struct {
     size_t offset, count; /* of floats in a grain_model */
     float low, high;
 } grain_field;
-#define GRAIN_FIELDS 20
+#define GRAIN_FIELDS 22
 extern const grain_field plb_grain_fields[GRAIN_FIELDS];
 /* True when every number is finite and within its bounds, and the numbers fit together. */
 bool plb_grain_is_sound(const grain_model *g);

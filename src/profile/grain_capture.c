@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-static bool measure(grain_lines *lines, double width, grain_model *g, error *err)
+static bool measure(grain_lines *lines, grain_model *g, error *err)
 {
     grain_moments moments;
     plb_grain_section(lines, g);
@@ -19,24 +19,23 @@ static bool measure(grain_lines *lines, double width, grain_model *g, error *err
     if (!plb_grain_darkness(lines, g, err))
         return false;
     plb_grain_scores(lines, g);
+    plb_grain_places(lines, g);
     plb_grain_moments(lines, g, &moments);
     plb_grain_chain(&moments, g);
     plb_grain_filter(&moments, g);
     plb_grain_between(lines, &moments, g);
-    if (width > 0)
-        g->line_mean[1] = (float)log(width);
     plb_grain_clamp(g);
     g->present = plb_grain_is_sound(g);
     return true;
 }
 
-bool plb_grain_capture(const line_strip strips[], size_t n, double width, grain_model *g, error *err)
+bool plb_grain_capture(const line_strip strips[], size_t n, grain_model *g, error *err)
 {
     grain_lines lines;
     *g = (grain_model){0};
     if (!plb_grain_lines_make(strips, n, &lines, g, err))
         return false;
-    bool good = lines.columns < GRAIN_MIN_COLUMNS || measure(&lines, width, g, err);
+    bool good = lines.columns < GRAIN_MIN_COLUMNS || measure(&lines, g, err);
     plb_grain_lines_free(&lines);
     if (!g->present)
         *g = (grain_model){0};
@@ -68,6 +67,8 @@ void plb_grain_borrow(grain_model *g, const grain_model *from)
             g->darkness[i][k] += share * (from->darkness[i][k] - g->darkness[i][k]);
     }
     memcpy(g->filter, from->filter, sizeof g->filter);
+    memcpy(g->place_along, from->place_along, sizeof g->place_along);
+    memcpy(g->place_across, from->place_across, sizeof g->place_across);
     g->chain_high = from->chain_high;
     g->chain_low = from->chain_low;
     g->chain_share = from->chain_share;

@@ -13,16 +13,24 @@
 #define SHARE_HIGH 0.42      /* of the columns; chosen by eye */
 #define COMMON_GAIN 0.7      /* of the common steps the chain makes; chosen by eye */
 #define LEAST_SPREAD 0.04    /* below it the coefficient is constant */
+#define LONG_MEAN 0.65        /* up to here the chain alone makes the correlation along; chosen by eye */
 #define MOST_MEAN 0.9
 #define MOST_HIGH 0.93
 #define LOWEST (-0.95)
 #define MOST_PERSISTENT 0.8
 #define MEMORY 12            /* columns after which an innovation is forgotten */
 
+/* The chain's part of the correlation with the next column. What is beyond, as in soft scans, is the filter's: it ends sooner. */
+static double mean_of(const grain_moments *m)
+{
+    double next = m->correlation[1][0], second = m->correlation[2][0];
+    return clamp(next > LONG_MEAN ? fmax(LONG_MEAN, fmin(next, second / next)) : next, 0, MOST_MEAN);
+}
+
 void plb_grain_chain(const grain_moments *m, grain_model *g)
 {
     const double p = SHARE_HIGH;
-    double mean = clamp(m->correlation[1][0], 0, MOST_MEAN), spread = sqrt(fmax(m->common * COMMON_GAIN, 0)) * (1 - mean), rho = 0;
+    double mean = mean_of(m), spread = sqrt(fmax(m->common * COMMON_GAIN, 0)) * (1 - mean), rho = 0;
     if (spread < LEAST_SPREAD)
         spread = 0;
     if (spread > 0)

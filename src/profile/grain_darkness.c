@@ -21,7 +21,6 @@
 #define EMPTY_BELOW 0.008f  /* rows of lower levels are paper: what marks are there are not the line's */
 #define CAP 0.25            /* a speck beside the line is not the line's: no quantile above CAP + CAP_SLOPE x level */
 #define CAP_SLOPE 4
-#define TAIL 0.15           /* of the mean section: below it the modes fade out, so that clipping at 0 does not lift it */
 #define PLACES_END 8.0      /* px, of modes and table */
 #define HIGHEST 1.399       /* level */
 #define LAST_SCORE 3.0
@@ -30,11 +29,11 @@
 
 static double expected(const grain_model *g, double place, const double coefficient[GRAIN_MODES])
 {
-    double f = plb_interpolate(g->section, GRAIN_SECTION, PROFILE_SECTION_STEP / 2, PROFILE_SECTION_STEP, fabs(place)), sum = 0;
+    double root = plb_grain_root(g, place), slope = plb_grain_root_slope(root);
     if (fabs(place) <= PLACES_END)
         for (int i = 0; i < GRAIN_MODES; i++)
-            sum += coefficient[i] * plb_interpolate(g->mode[i], GRAIN_MODE_PLACES, -PLACES_END, PROFILE_SECTION_STEP, place);
-    return fmax(0, f + sum * fmin(1, f / TAIL));
+            root += coefficient[i] * plb_interpolate(g->mode[i], GRAIN_MODE_PLACES, -PLACES_END, PROFILE_SECTION_STEP, place) / slope;
+    return root > 0 ? root * root : 0;
 }
 
 /* ---- the table ---- */
@@ -147,4 +146,22 @@ double plb_grain_score(const grain_model *g, double level, double dark)
         k++;
     double share = q[k + 1] > q[k] ? (dark - q[k]) / (q[k + 1] - q[k]) : 0;
     return score_of_knot(k) + (score_of_knot(1) - score_of_knot(0)) * clamp(share, 0, 1);
+}
+
+double plb_grain_bare_score(const grain_model *g, double level, double least)
+{
+    double m = clamp(level, 0, HIGHEST);
+    int row = 0, k = 0;
+    while (row < GRAIN_LEVELS - 2 && plb_grain_levels[row + 1] <= m)
+        row++;
+    double w = (m - plb_grain_levels[row]) / ((double)plb_grain_levels[row + 1] - plb_grain_levels[row]), q = 0, before = 0;
+    for (; k < GRAIN_SCORES; k++) {
+        before = q;
+        q = g->darkness[row][k] * (1 - w) + g->darkness[row + 1][k] * w;
+        if (q >= least)
+            break;
+    }
+    if (k == 0)
+        return -LAST_SCORE;
+    return score_of_knot(k < GRAIN_SCORES ? k : GRAIN_SCORES - 1) - (q > before ? clamp((q - least) / (q - before), 0, 1) : 0) * (score_of_knot(1) - score_of_knot(0));
 }

@@ -24,6 +24,8 @@ const grain_field plb_grain_fields[GRAIN_FIELDS] = {
     {AT(mode_length), GRAIN_MODES, 1, 1000},
     {AT(darkness), GRAIN_LEVELS * GRAIN_SCORES, 0, 8},
     {AT(place_scale), GRAIN_PLACES, 0.1f, 10},
+    {AT(place_along), GRAIN_PLACES, -1, 1},
+    {AT(place_across), GRAIN_PLACES, -1, 1},
     {AT(chain_high), 1, -0.95f, 0.95f},
     {AT(chain_low), 1, -0.95f, 0.95f},
     {AT(chain_share), 1, 0, 1},

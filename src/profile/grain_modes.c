@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Capture of the grain, third step: the ways in which the section changes slowly along a line. They are the leading
- * eigenvectors of the covariance of the section after smoothing along the line (principal components).
+ * eigenvectors of the covariance of the root of the section after smoothing along the line (principal components). Of the root:
+ * nothing is less dark than paper, and where a line is faint it varies less.
  */
 #include "profile/grain.h"
 
@@ -68,28 +69,54 @@ static void smooth_column(const grain_line *l, int k, const double *weight, cons
         out[p] /= weights;
 }
 
-/* What is done with the smoothed deviation of each usable column from the mean section. */
+/* What is done with the root of each usable column, smoothed, less the base. */
 typedef void visitor(grain_line *l, int k, const double smoothed[PLACES], void *closure);
 
-static bool visit(grain_line *l, const grain_model *g, visitor *visitor_of, void *closure)
+static bool visit(grain_line *l, const double base[PLACES], visitor *visitor_of, void *closure)
 {
     double weight[SMOOTH_RADIUS + 1], smoothed[PLACES];
-    double(*deviation)[PLACES] = plb_new((size_t)l->n, sizeof *deviation);
-    if (!deviation)
+    double(*column)[PLACES] = plb_new((size_t)l->n, sizeof *column);
+    if (!column)
         return false;
     plb_gaussian(GRAIN_SMOOTH, SMOOTH_RADIUS, weight);
-    for (int k = 0; k < l->n; k++) {
-        column_at_places(l, k, deviation[k]);
-        for (int p = 0; p < PLACES; p++)
-            deviation[k][p] -= plb_interpolate(g->section, GRAIN_SECTION, PROFILE_SECTION_STEP / 2, PROFILE_SECTION_STEP,
-                                               fabs(FIRST_PLACE + p * PLACE_STEP));
-    }
+    for (int k = 0; k < l->n; k++)
+        column_at_places(l, k, column[k]);
     for (int k = 0; k < l->n; k++)
         if (l->usable[k]) {
-            smooth_column(l, k, weight, (const double(*)[PLACES])deviation, smoothed);
+            smooth_column(l, k, weight, (const double(*)[PLACES])column, smoothed);
+            for (int p = 0; p < PLACES; p++)
+                smoothed[p] = (sqrt(fmax(0, smoothed[p])) - base[p]) * (base[p] > 0 ? plb_grain_root_slope(base[p]) : 1);
             visitor_of(l, k, smoothed, closure);
         }
-    plb_free(deviation);
+    plb_free(column);
+    return true;
+}
+
+/* ---- the mean root ---- */
+
+static void add_root(grain_line *l, int k, const double s[PLACES], void *closure)
+{
+    (void)l, (void)k;
+    double *sum = closure;
+    for (int p = 0; p < PLACES; p++)
+        sum[p] += s[p];
+}
+
+/* Over all columns and both sides: as the section, which is its square, will say. */
+static bool find_base(const grain_lines *lines, grain_model *g, double base[PLACES])
+{
+    const double none[PLACES] = {0};
+    double sum[PLACES] = {0};
+    for (size_t i = 0; i < lines->n; i++)
+        if (!visit(&lines->v[i], none, add_root, sum))
+            return false;
+    for (int k = 0; k < PLACES / 2; k++) {
+        double inner = (sum[PLACES / 2 + k] + sum[PLACES / 2 - k]) / 2, outer = (sum[PLACES / 2 + k + 1] + sum[PLACES / 2 - k - 1]) / 2;
+        double root = (inner + outer) / 2 / lines->columns;
+        g->section[k] = (float)(root * root);
+    }
+    for (int p = 0; p < PLACES; p++)
+        base[p] = plb_grain_root(g, FIRST_PLACE + p * PLACE_STEP);
     return true;
 }
 
@@ -160,17 +187,17 @@ static void project(grain_line *l, int k, const double s[PLACES], void *closure)
 
 bool plb_grain_modes(grain_lines *lines, grain_model *g, error *err)
 {
-    double *k = plb_new(PLACES * PLACES, sizeof *k), *vectors = plb_new(PLACES * PLACES, sizeof *vectors);
-    bool good = k && vectors;
+    double *k = plb_new(PLACES * PLACES, sizeof *k), *vectors = plb_new(PLACES * PLACES, sizeof *vectors), base[PLACES];
+    bool good = k && vectors && find_base(lines, g, base);
     for (size_t i = 0; i < lines->n && good; i++)
-        good = visit(&lines->v[i], g, add_products, k);
+        good = visit(&lines->v[i], base, add_products, k);
     if (good) {
         mirror(k, lines->columns);
         plb_eigen(k, vectors, PLACES);
         take_modes(k, vectors, lines->columns, g);
     }
     for (size_t i = 0; i < lines->n && good; i++)
-        good = visit(&lines->v[i], g, project, g);
+        good = visit(&lines->v[i], base, project, g);
     plb_free(k);
     plb_free(vectors);
     return good || plb_fail_memory(err);

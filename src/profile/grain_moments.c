@@ -12,7 +12,7 @@
 #define FAR_TO 12               /* … to … */
 #define FIRST_VOLATILE 2        /* lags along at which products of squares tell the volatility */
 #define CORRELATION_GAIN 1.1    /* of the next pixel: makes up for what the table's clipping takes; chosen by eye */
-#define VOLATILITY_GAIN 1.8     /* makes up for what its own decay along the line takes; chosen by eye */
+#define VOLATILITY_GAIN 1.5     /* makes up for what its own decay along the line takes; chosen by eye */
 #define LEAST_ACROSS 0.05
 #define MOST_ACROSS 0.95
 #define MOST_VOLATILITY 1.5

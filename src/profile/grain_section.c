@@ -28,3 +28,15 @@ void plb_grain_section(const grain_lines *lines, grain_model *g)
     for (int k = 0; k < GRAIN_SECTION; k++)
         g->section[k] = (float)(smooth_sum[k] / fmax(smooth_n[k], 1));
 }
+
+double plb_grain_root(const grain_model *g, double place)
+{
+    return sqrt(plb_interpolate(g->section, GRAIN_SECTION, PROFILE_SECTION_STEP / 2, PROFILE_SECTION_STEP, fabs(place)));
+}
+
+#define LEAST_ROOT 0.1
+
+double plb_grain_root_slope(double root)
+{
+    return 2 * fmax(root, LEAST_ROOT);
+}

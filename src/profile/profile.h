@@ -28,7 +28,7 @@
 #define GRAIN_LEVELS 25       /* expected darkness, see plb_grain_levels … */
 #define GRAIN_SCORES 33       /* … by normal scores -3 to 3 */
 #define GRAIN_PLACES 17       /* distances from the centreline by 0.5 px */
-#define GRAIN_CLASSES 5       /* of correlation across: 0, .1, .2, .3, .4 */
+#define GRAIN_CLASSES 8       /* of correlation across: 0, .1 … .7 */
 #define GRAIN_TAPS 5          /* the filter's side, px */
 #define GRAIN_LINE 11         /* log depth, log width, log roughness, correlation along, across, six modes */
 
@@ -45,6 +45,8 @@ typedef struct {
     float mode_length[GRAIN_MODES];                /* correlation length along the line, px, before smoothing by 8 px */
     float darkness[GRAIN_LEVELS][GRAIN_SCORES];    /* relative darkness of a pixel by its expected level and normal score */
     float place_scale[GRAIN_PLACES];               /* spread of the scores by distance */
+    float place_along[GRAIN_PLACES];               /* correlation of the scores along there, less that of the core */
+    float place_across[GRAIN_PLACES];              /* the same across, of the pixels half a pixel to either side */
     float chain_high, chain_low, chain_share, chain_correlation; /* two-state chain of the columns' coefficient */
     float filter[GRAIN_CLASSES][GRAIN_TAPS][GRAIN_TAPS]; /* of the innovations, [class][along][across], unit energy */
     float volatility, volatility_across;           /* sd of the log amplitude; its correlation with the next row */
@@ -103,6 +105,10 @@ int plb_profile_centre(const profile *p);
 
 /* ---- capture from scans (profile_capture.c and its steps) ---- */
 
+/* Draws `lines` lines with a pencil as it would be, each onto paper of its own, along x: `width` x `height` greys of 300 dpi, one
+ * picture after the other in `grey`, which is white. */
+typedef bool line_sampler(void *closure, const profile *p, int lines, int width, int height, uint8_t *grey, error *err);
+
 typedef struct {
     const char *name;        /* of the profile */
     const char *provenance;  /* text to store */
@@ -110,6 +116,8 @@ typedef struct {
     int centre_min, centre_max; /* only lines whose median grey at the centre lies within; 0, 255: all */
     double width;            /* mm: stretch the section so that its width at half depth is this; 0: as measured */
     const grain_model *grain; /* borrow from this one: the tooth that lines pressed hard do not show; NULL: as measured */
+    line_sampler *sample;    /* to correct the grain by what it draws; NULL: it stays as measured */
+    void *closure;           /* of `sample` */
     messenger say;           /* one detail line per scan: what was found, or why it was left out */
 } capture_options;
 capture_options plb_capture_defaults(void);

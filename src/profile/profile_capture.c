@@ -273,10 +273,14 @@ static bool check_options(const capture_options *o, error *err)
 static bool capture_grain(const capture *c, profile *p, error *err)
 {
     bool as_scanned = has_grain_resolution(c);
-    bool good = plb_grain_capture(as_scanned ? c->strips.v : c->reduced.v, as_scanned ? c->strips.n : c->reduced.n,
-                                  c->options->width / MM_PER_INCH * PAPER_PX_PER_INCH, &p->grain, err);
-    if (good && c->options->grain)
-        plb_grain_borrow(&p->grain, c->options->grain);
+    const capture_options *o = c->options;
+    bool good = plb_grain_capture(as_scanned ? c->strips.v : c->reduced.v, as_scanned ? c->strips.n : c->reduced.n, &p->grain, err);
+    if (good && p->grain.present && o->sample)
+        good = plb_grain_refine(p, o->sample, o->closure, err);
+    if (good && p->grain.present && o->width > 0)
+        p->grain.line_mean[1] = (float)log(o->width / MM_PER_INCH * PAPER_PX_PER_INCH);
+    if (good && o->grain)
+        plb_grain_borrow(&p->grain, o->grain);
     return good;
 }
 

@@ -6,12 +6,10 @@
 #include "base/array.h"
 #include "base/interpolate.h"
 #include "base/normal.h"
+#include "profile/grain.h"
 #include "stroke/pencil.h"
 
 #include <math.h>
-
-/* Where the mean section is fainter than this the modes fade with it: they were measured on the line. */
-#define FAINT_SECTION 0.15
 
 /* The quantiles of the normal distribution at the middles of GRAIN_NORMALS equal shares. From one to the next by a step of
  * the second order and one of Newton's. */
@@ -38,7 +36,7 @@ static void tabulate_normals(grain_tables *t)
 static void map_scores(const grain_model *g, float map[MAP_SIZE])
 {
     double sd = sqrt((double)g->line_factor[2][0] * g->line_factor[2][0] + (double)g->line_factor[2][1] * g->line_factor[2][1] +
-                     (double)g->line_factor[2][2] * g->line_factor[2][2]);
+                     (double)g->line_factor[2][2] * g->line_factor[2][2] + (double)g->volatility * (double)g->volatility);
     double rough[MIXED];
     for (int i = 0; i < MIXED; i++)
         rough[i] = exp(g->line_mean[2] + sd * plb_normal_quantile((i + 0.5) / MIXED));
@@ -70,18 +68,33 @@ static void tabulate_scores(grain_tables *t, const grain_model *g)
 /* Scores fade into the plain field where the expected darkness falls through these: they were captured on the line. */
 #define TAIL_LOW 0.05
 #define TAIL_SPAN 0.25
-/* Where the captured dependence on place sets in, as in the capture. */
-#define PLACE_FROM 0.4
-#define PLACE_OVER 0.4
-
-/* The spread of the scores where so much darkness is expected: as far from the centreline as the mean section has it. */
-static double spread_of(const grain_model *g, double level)
+/* The stroke's own grain bears the whole of what depends on the place: the paper has no part in it. */
+static double own_part(double both, double of_paper)
 {
-    int k = GRAIN_SECTION - 1;
-    while (k > 0 && (double)g->section[k - 1] <= level)
-        k--;
-    double scale = plb_interpolate(g->place_scale, GRAIN_PLACES, 0.25, 0.5, k * PROFILE_SECTION_STEP);
-    return 1 + (scale - 1) * clamp((level - PLACE_FROM) / PLACE_OVER, 0, 1);
+    return (both - of_paper) / (1 - of_paper);
+}
+
+/* The outer rows are those that correlate across least or most, compared with the inner ones. */
+static float outermost(const grain_model *g)
+{
+    float most = 0;
+    for (int k = 0; k < GRAIN_PLACES; k++)
+        most = fabsf(g->place_across[k]) > fabsf(most) ? g->place_across[k] : most;
+    return most;
+}
+
+static void tabulate_rows(grain_tables *t, const grain_model *g)
+{
+    double share = t->paper.share;
+    t->outer_across = outermost(g);
+    for (int k = 0; k < ROW_PLACES; k++) {
+        double place = k * ROW_PLACE_STEP, scale = plb_interpolate(g->place_scale, GRAIN_PLACES, 0.25, 0.5, place);
+        double across = plb_interpolate(g->place_across, GRAIN_PLACES, 0.25, 0.5, place);
+        t->row_spread[k] = (int16_t)(clamp(sqrt(fmax(own_part(scale * scale, share), 0.05)), 0.1, 1.99) * 16384);
+        t->row_along[k] = (float)(plb_interpolate(g->place_along, GRAIN_PLACES, 0.25, 0.5, place) / (1 - share));
+        t->row_outer[k] = t->outer_across != 0 ? (int16_t)(clamp(across / (double)t->outer_across, 0, 1) * 32767) : 0;
+    }
+    t->outer_across /= (float)(1 - share);
 }
 
 /* Rows of the table lie less than a step of a level apart at first, and in the end six: where much is expected the grain hides
@@ -98,10 +111,10 @@ static void fill_row(const grain_model *g, double m, uint16_t out[128])
     int i = 0;
     while (i + 2 < GRAIN_LEVELS && m >= plb_grain_levels[i + 1])
         i++;
-    double w = (m - plb_grain_levels[i]) / (plb_grain_levels[i + 1] - plb_grain_levels[i]), spread = spread_of(g, m);
+    double w = (m - plb_grain_levels[i]) / (plb_grain_levels[i + 1] - plb_grain_levels[i]);
     w = w > 1 ? 1 : w;
     for (int k = 0; k < 128; k++) {
-        double z = (2 * k + 0.5 - 128) / FIELD_UNIT * spread, step = 6.0 / (GRAIN_SCORES - 1);
+        double z = (2 * k + 0.5 - 128) / FIELD_UNIT, step = 6.0 / (GRAIN_SCORES - 1);
         double low = plb_interpolate(g->darkness[i], GRAIN_SCORES, -3, step, z);
         double high = plb_interpolate(g->darkness[i + 1], GRAIN_SCORES, -3, step, z);
         double v = (low + w * (high - low)) * GRAIN_RELATIVE_UNIT;
@@ -165,7 +178,7 @@ static int16_t to_short(double v)
 }
 
 /* A sum of the section and all modes, each with a coefficient within its bounds, stays within 16 bits: see texture_grain.c. */
-#define HIGHEST_SECTION 3.0
+#define HIGHEST_ROOT 1.8
 
 /* Beyond the place where the mean section falls below this there is only what strayed into the scans. */
 #define STRAY 0.006f
@@ -185,14 +198,19 @@ static void tabulate_section(grain_tables *t, const grain_model *g)
     t->reach = reach_of(g);
     for (int k = 0; k < GRAIN_MODE_PLACES; k++) {
         double place = fabs((k - GRAIN_MODE_PLACES / 2) * PROFILE_SECTION_STEP);
-        double f = plb_interpolate(g->section, GRAIN_SECTION, PROFILE_SECTION_STEP / 2, PROFILE_SECTION_STEP, place);
-        double fade = clamp(f / FAINT_SECTION, 0, 1);
-        if (place > t->reach)
-            f = fade = 0;
-        t->section[k] = to_short(fmin(f, HIGHEST_SECTION) * SECTION_UNIT);
+        bool is_paper = place > t->reach;
+        double root = plb_grain_root(g, place), slope = plb_grain_root_slope(root);
+        t->root[k] = is_paper ? 0 : to_short(fmin(root, HIGHEST_ROOT) * ROOT_UNIT);
         for (int i = 0; i < GRAIN_MODES; i++)
-            t->mode[i][k] = to_short(g->mode[i][k] * fade * 32767);
+            t->mode[i][k] = is_paper ? 0 : to_short((double)g->mode[i][k] / slope * 32767);
     }
+}
+
+/* A scan that blurs the grain would have blurred the paper's tooth: it has less of a part in it, so that both together correlate
+ * as scanned. 1: as sharp as the tooth, or sharper. */
+static double sharpness_of(const grain_model *g, const paper *on)
+{
+    return clamp((1 - (double)g->line_mean[3]) / (1 - on->correlation[1]), 0, 1);
 }
 
 bool plb_pencil_tabulate_grain(pencil *p, paper_kind on)
@@ -204,11 +222,14 @@ bool plb_pencil_tabulate_grain(pencil *p, paper_kind on)
     tabulate_normals(t);
     if (!plb_paper_make(&t->paper, on, t->normal))
         return false;
+    t->paper.share *= sharpness_of(g, &t->paper);
     tabulate_scores(t, g);
     tabulate_darkness(t, g);
     tabulate_coarse_darkness(t);
     tabulate_section(t, g);
+    tabulate_rows(t, g);
     plb_pencil_tabulate_noise(t, g);
+    plb_pencil_tabulate_amplitude(t, g);
     plb_pencil_tabulate_slow(t, g);
     return true;
 }

@@ -9,6 +9,7 @@
  * a few additions a column. A window of some twenty numbers at one of 2048 places, five such summed in each column: no
  * section of a stroke ever comes again.
  */
+#include "base/interpolate.h"
 #include "base/random.h"
 #include "profile/grain.h"
 #include "stroke/pencil.h"
@@ -120,6 +121,37 @@ void plb_pencil_tabulate_noise(grain_tables *t, const grain_model *g)
         }
         for (int i = 0; i < GRAIN_TAPS; i++)
             filter_sequence(white, tap[i], t->noise[class][i]);
+    }
+}
+
+/* ---- amplitudes ---- */
+
+/* Patches of a line are rough, others smooth: over so many columns the logarithm of the grain's amplitude keeps 1/e of its
+ * deviation (w0054 of hdBPMN; w0028 8). */
+#define PATCH_COLUMNS 7.0
+#define MOST_ACROSS 0.7
+
+/* Of the three rows that make one of amplitudes, the weight of the outer ones, so that neighbours correlate by r. */
+static double weight_beside(double r)
+{
+    return (1 - sqrt(1 - 2 * r * r)) / (2 * r);
+}
+
+/* Two rounds of the ring, as of the slow changes below. */
+void plb_pencil_tabulate_amplitude(grain_tables *t, const grain_model *g)
+{
+    const int rows = 2 * NOISE_PAD;
+    double keep = exp(-1 / PATCH_COLUMNS), fresh = sqrt(1 - keep * keep), k = weight_beside(clamp((double)g->volatility_across, 0.01, MOST_ACROSS));
+    double state[2 * NOISE_PAD] = {0}, unit = (double)g->volatility / sqrt(1 + 2 * k * k);
+    uint64_t key = random_key(0, 0, PURPOSE_CHAIN);
+    for (int s = 0; s < 2 * AMPLITUDE_LENGTH; s++) {
+        int column = s % AMPLITUDE_LENGTH;
+        for (int r = 0; r < rows; r++)
+            state[r] = keep * state[r] + fresh * (double)t->normal[random_bits(key, (uint64_t)(column * rows + r)) >> 52];
+        for (int r = 0; r < rows && s >= AMPLITUDE_LENGTH; r++) {
+            double v = state[r] + k * (state[r > 0 ? r - 1 : rows - 1] + state[r + 1 < rows ? r + 1 : 0]);
+            t->amplitude[column][r] = (int8_t)fmin(127, floor(exp(unit * v) * AMPLITUDE_UNIT + 0.5));
+        }
     }
 }
 

@@ -164,22 +164,24 @@ static int clamp_int(int v, int low, int high)
     return v < low ? low : v > high ? high : v;
 }
 
-/* One knot: section plus modes, times what pressure does, as levels. */
-#define GAIN_UNIT (65536 / (SECTION_UNIT / GRAIN_LEVEL_UNIT))
+/* One knot: the square of root plus modes, times what pressure does, as levels. Roots are worked on in eighths of their unit. */
+#define ROOT_MAX (2 * ROOT_UNIT)
+#define GAIN_UNIT (65536.0F * GRAIN_LEVEL_UNIT / (64.0F * ROOT_UNIT * ROOT_UNIT / 65536))
+_Static_assert(8 * ROOT_MAX <= INT16_MAX, "roots stay within 16 bits");
 
 static void fill_levels(const grain_tables *t, const int16_t coefficient[GRAIN_MODES], int16_t gain, uint8_t out[GRAIN_PLACES_PADDED])
 {
     int16_t m[GRAIN_PLACES_PADDED];
-    memcpy(m, t->section, sizeof m);
+    memcpy(m, t->root, sizeof m);
     for (int i = 0; i < GRAIN_MODES; i++) {
         const int16_t *mode = t->mode[i], a = coefficient[i];
         for (int j = 0; j < GRAIN_PLACES_PADDED; j++)
             m[j] = (int16_t)(m[j] + high_product(a, mode[j]));
     }
-    const int16_t round = SECTION_UNIT / GRAIN_LEVEL_UNIT / 2;
     for (int j = 0; j < GRAIN_PLACES_PADDED; j++) {
-        int16_t v = high_product((int16_t)(m[j] + round), gain);
-        v = v > 0 ? v : 0;
+        int16_t root = m[j] > 0 ? m[j] : 0;
+        root = (int16_t)(8 * (root < ROOT_MAX ? root : ROOT_MAX));
+        int16_t v = (int16_t)((int16_t)(high_product(high_product(root, root), (int16_t)gain) + 1) >> 1);
         out[j] = (uint8_t)(v < 255 ? v : 255);
     }
     out[0] = out[GRAIN_MODE_PLACES - 1] = 0; /* beyond, there is nothing */
@@ -198,8 +200,8 @@ static void make_section(grain *g, const line_figures *f, const grain_ends *ends
         sign[i] = bits & 1 ? 1 : -1;
         at[i] = (size_t)(bits >> 32);
     }
-    float gain = (float)respond(usual_or((double)ends->pressure_first)).level * GAIN_UNIT;
-    float rise = ((float)respond(usual_or((double)ends->pressure_last)).level * GAIN_UNIT - gain) / (float)knots;
+    float gain = (float)respond(usual_or((double)ends->pressure_first)).level * GAIN_UNIT * 2;
+    float rise = ((float)respond(usual_or((double)ends->pressure_last)).level * GAIN_UNIT * 2 - gain) / (float)knots;
     for (size_t k = 0; k < knots; k++) {
         int16_t a[GRAIN_MODES];
         for (int i = 0; i < GRAIN_MODES; i++)
@@ -210,11 +212,20 @@ static void make_section(grain *g, const line_figures *f, const grain_ends *ends
 
 /* ---- 3: the grain ---- */
 
-/* The states of the chain, low, high and first column: how much of the column before stays, how much is new, in 1/32768 and
- * for a whole block of rows; and the chance that the next column's is high, of 2^32. */
+/* What the rows of a stroke differ by: 16 bits each, of a unit that the loops below know. By the state of the chain, low, high
+ * and first column: how much of the column before stays, how much is new, of 32768. */
 enum { CHAIN_FIRST = 2, CHAIN_STATES };
 typedef struct {
-    int16_t keep[CHAIN_STATES][BLOCK], fresh[CHAIN_STATES][BLOCK];
+    int16_t keep[CHAIN_STATES][STRIDE_MAX], fresh[CHAIN_STATES][STRIDE_MAX];
+    int16_t spread[STRIDE_MAX]; /* of the grain there, of 16384 */
+    int16_t outer[STRIDE_MAX];  /* how far the outer rows' correlation across holds, of 32767 */
+    bool has_outer;
+} grain_rows;
+
+#define SPREAD_UNIT 16384
+
+/* The chance that the next column's state is high, of 2^32: after a low and a high one. */
+typedef struct {
     uint64_t next[2], first;
 } chain;
 
@@ -223,66 +234,107 @@ static uint64_t chance(double p)
     return (uint64_t)(clamp(p, 0, 1) * 4294967296.0);
 }
 
-static chain chain_of(const grain_model *m, const grain_tables *t, const line_figures *f)
+static chain chain_of(const grain_model *m)
 {
-    double p = m->chain_share, rho = m->chain_correlation, own = f->along - (double)m->line_mean[3];
-    chain c = {.next = {chance(p * (1 - rho)), chance(p + rho * (1 - p))}, .first = chance(p)};
-    for (int i = 0; i < CHAIN_STATES; i++) {
-        double a = i == CHAIN_FIRST ? 0 : clamp((double)(i ? t->chain_high : t->chain_low) + own, -0.3, 0.95);
-        for (int r = 0; r < BLOCK; r++) {
-            c.keep[i][r] = (int16_t)floor(a * 32767 + 0.5);
-            c.fresh[i][r] = (int16_t)floor(sqrt(1 - a * a) * 32767 + 0.5);
+    double p = m->chain_share, rho = m->chain_correlation;
+    return (chain){.next = {chance(p * (1 - rho)), chance(p + rho * (1 - p))}, .first = chance(p)};
+}
+
+/* Index of the tables by place of row r. */
+static int place_of_row(const grain *g, int r)
+{
+    float place = fabsf((float)(r - g->rows / 2)) * g->narrow * (float)(1 / ROW_PLACE_STEP);
+    return place < ROW_PLACES - 1 ? (int)(place + 0.5f) : ROW_PLACES - 1;
+}
+
+static void make_rows(const grain *g, const line_figures *f, grain_rows *rows)
+{
+    const grain_tables *t = g->pencil->grain;
+    double own = f->along - (double)g->pencil->profile->grain.line_mean[3];
+    rows->has_outer = false;
+    for (int r = 0; r < g->stride; r++) {
+        int at = place_of_row(g, r);
+        rows->spread[r] = t->row_spread[at];
+        rows->outer[r] = t->row_outer[at];
+        rows->has_outer = rows->has_outer || rows->outer[r] > 0;
+        for (int i = 0; i < CHAIN_STATES; i++) {
+            double a = i == CHAIN_FIRST ? 0 : clamp((double)((i ? t->chain_high : t->chain_low) + t->row_along[at]) + own, -0.3, 0.95);
+            rows->keep[i][r] = (int16_t)floor(a * 32767 + 0.5);
+            rows->fresh[i][r] = (int16_t)floor(sqrt(1 - a * a) * 32767 + 0.5);
         }
     }
-    return c;
 }
 
 /* A column of innovations: what the white noise of the columns about it comes to after the filter. */
-static void add_noise(const int16_t *const from[GRAIN_TAPS], int rows, int16_t *restrict out)
+static void add_noise(const int16_t (*noise)[NOISE_LENGTH + NOISE_PAD], const size_t at[GRAIN_TAPS], int rows, int16_t *restrict out)
 {
+    const int16_t *from[GRAIN_TAPS];
+    for (int i = 0; i < GRAIN_TAPS; i++)
+        from[i] = noise[i] + at[i];
     for (int b = 0; b < rows; b += BLOCK)
         for (int r = b; r < b + BLOCK; r++)
             out[r] = (int16_t)(from[0][r] + from[1][r] + from[2][r] + from[3][r] + from[4][r]);
 }
 
-/* The next column of the chain, and the same rounded to bytes. */
-static void join_column(const chain *c, int state, int16_t *restrict field, const int16_t *restrict fresh, int rows, int8_t *restrict out)
+/* The outer rows go over into the same noise through another filter. */
+static void blend(const grain_rows *w, int rows, const int16_t *restrict outer, int16_t *restrict out)
 {
-    const int16_t *restrict keep = c->keep[state], *restrict share = c->fresh[state], half = NOISE_UNIT / FIELD_UNIT / 2;
     for (int b = 0; b < rows; b += BLOCK)
-        for (int r = 0; r < BLOCK; r++) {
-            int16_t halved = (int16_t)(high_product(field[b + r], keep[r]) + high_product(fresh[b + r], share[r]));
-            field[b + r] = (int16_t)(2 * halved);
-            int16_t v = (int16_t)((int16_t)(field[b + r] + half) >> 6);
+        for (int r = b; r < b + BLOCK; r++)
+            out[r] = (int16_t)(out[r] + 2 * high_product((int16_t)(outer[r] - out[r]), w->outer[r]));
+}
+
+/* The next column of the chain, and the same rounded to bytes. */
+static void join_column(const grain_rows *w, int state, int16_t *restrict field, const int16_t *restrict fresh, const int8_t *restrict amplitude,
+                        int rows, int8_t *restrict out)
+{
+    const int16_t *restrict keep = w->keep[state], *restrict share = w->fresh[state];
+    for (int b = 0; b < rows; b += BLOCK)
+        for (int r = b; r < b + BLOCK; r++) {
+            int16_t halved = (int16_t)(high_product(field[r], keep[r]) + high_product(fresh[r], share[r]));
+            field[r] = (int16_t)(2 * halved);
+            int16_t v = high_product(high_product(field[r], w->spread[r]), (int16_t)(amplitude[r] * 256));
+            v = (int16_t)((int16_t)(v + 2) >> 2);
             v = v < 127 ? v : 127;
-            out[b + r] = (int8_t)(v > -127 ? v : -127);
+            out[r] = (int8_t)(v > -127 ? v : -127);
         }
 }
-_Static_assert(NOISE_UNIT / FIELD_UNIT == 1 << 6 && GRAIN_TAPS == 5, "as the loops above have it");
+_Static_assert(NOISE_UNIT / FIELD_UNIT == 1 << 6 && SPREAD_UNIT == 1 << 14 && AMPLITUDE_UNIT == 1 << 6 && GRAIN_TAPS == 5,
+               "as the loops above have it");
+
+static int class_of(double across)
+{
+    return (int)clamp(floor(across * 10 + 0.5), 0, GRAIN_CLASSES - 1);
+}
 
 static void make_grain(grain *g, const line_figures *f, uint64_t key)
 {
-    const grain_model *m = &g->pencil->profile->grain;
     const grain_tables *t = g->pencil->grain;
-    const int16_t(*noise)[NOISE_LENGTH + NOISE_PAD] = t->noise[(int)clamp(floor(f->across * 10 + 0.5), 0, GRAIN_CLASSES - 1)];
-    chain c = chain_of(m, t, f);
-    int16_t state[STRIDE_MAX] = {0}, fresh[STRIDE_MAX];
+    const int16_t(*inner)[NOISE_LENGTH + NOISE_PAD] = t->noise[class_of(f->across)];
+    const int16_t(*outer)[NOISE_LENGTH + NOISE_PAD] = t->noise[class_of(f->across + (double)t->outer_across)];
+    chain c = chain_of(&g->pencil->profile->grain);
+    grain_rows rows;
+    int16_t state[STRIDE_MAX] = {0}, fresh[STRIDE_MAX], beside[STRIDE_MAX];
     size_t at[GRAIN_TAPS]; /* places in the noise, the oldest column's first */
+    make_rows(g, f, &rows);
     for (int i = 1; i < GRAIN_TAPS; i++)
         at[i] = random_bits(key, (uint64_t)(i - 1)) & (NOISE_LENGTH - 1);
-    uint64_t threshold = c.first;
+    uint64_t threshold = c.first, region = random_bits(key, (uint64_t)g->columns + GRAIN_TAPS);
+    size_t column = (size_t)(region & (AMPLITUDE_LENGTH - 1)), row = (size_t)((region >> 32) % NOISE_PAD);
     for (int s = 0; s < g->columns; s++) {
         uint64_t bits = random_bits(key, (uint64_t)(s + GRAIN_TAPS - 1));
         int high = bits >> 32 < threshold;
-        const int16_t *from[GRAIN_TAPS];
         threshold = c.next[high];
         for (int i = 0; i + 1 < GRAIN_TAPS; i++)
             at[i] = at[i + 1];
         at[GRAIN_TAPS - 1] = bits & (NOISE_LENGTH - 1);
-        for (int i = 0; i < GRAIN_TAPS; i++)
-            from[i] = noise[i] + at[i];
-        add_noise(from, g->rows, fresh);
-        join_column(&c, s ? high : CHAIN_FIRST, state, fresh, g->rows, g->field + (size_t)s * (size_t)g->stride);
+        add_noise(inner, at, g->rows, fresh);
+        if (rows.has_outer && outer != inner) {
+            add_noise(outer, at, g->rows, beside);
+            blend(&rows, g->rows, beside, fresh);
+        }
+        join_column(&rows, s ? high : CHAIN_FIRST, state, fresh, t->amplitude[(column + (size_t)s) & (AMPLITUDE_LENGTH - 1)] + row, g->rows,
+                    g->field + (size_t)s * (size_t)g->stride);
     }
 }
 

@@ -24,7 +24,7 @@ static const int sides[PAPER_TILES] = {191, 173};
 typedef struct {
     double share, neighbour;
 } recipe;
-static const recipe recipes[] = {[PAPER_NONE] = {0, 0}, [PAPER_SMOOTH] = {0.10, 0.10}, [PAPER_MEDIUM] = {0.22, 0.20}, [PAPER_ROUGH] = {0.6, 0.28}};
+static const recipe recipes[] = {[PAPER_NONE] = {0, 0}, [PAPER_SMOOTH] = {0.07, 0.10}, [PAPER_MEDIUM] = {0.15, 0.20}, [PAPER_ROUGH] = {0.6, 0.28}};
 
 /* White noise along one row of a tile: five numbers of 12 bits from each draw. */
 static void white_row(const float normal[], int tile, int row, float out[PAPER_SIDE_MAX])

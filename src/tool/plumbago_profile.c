@@ -88,6 +88,13 @@ static bool set_grain(void *p, const char *v)
     s->grain = v;
     return *v != '\0';
 }
+static bool set_as_measured(void *p, const char *v)
+{
+    settings *s = p;
+    (void)v;
+    s->used |= FOR_CAPTURE;
+    return s->capture.as_measured = true;
+}
 static bool set_provenance(void *p, const char *v)
 {
     settings *s = p;
@@ -126,6 +133,7 @@ static const option table[] = {
     {0, "centre", "MIN-MAX", "only lines whose median grey at the centre is within [0-255]", set_centre},
     {0, "width", "MM", "stretch the line to this width at half depth [as measured]", set_width},
     {0, "grain", "PENCIL", "borrow some grain of PENCIL, where the lines show none", set_grain},
+    {0, "as-measured", NULL, "keep the grain without the correction by lines drawn with it", set_as_measured},
     {0, "provenance", "TEXT|@FILE", "text to keep in the profile: scans, hand, licence", set_provenance},
     {0, NULL, NULL, "For show", NULL},
     {0, "plot", "FILE", "draw histograms, section and co-occurrence as a PNG too", set_plot},

@@ -58,7 +58,7 @@ independent() {
             tag = sprintf("%c%c%c%c", b[at], b[at + 1], b[at + 2], b[at + 3]); size = le(at + 4, 4); at += 8; end = at + size
             if (tag == "NAME") { name = ""; for (i = at; i < end; i++) name = name sprintf("%c", b[i]); print "name", name }
             if (tag == "SCAN") { print "half", le(at + 4, 4) / 1000; print "tenth", le(at + 8, 4) / 1000; print "lines", le(at + 12, 4); print "columns", le(at + 16, 8) }
-            if (tag == "GRAI" && size == 6206) printf "depth %.1f\n", exp(single(at + 6 + 4 * (1 + 36 + 390 + 18 + 825 + 17 + 4 + 125 + 2)))
+            if (tag == "GRAI" && size == 6642) printf "depth %.1f\n", exp(single(at + 6 + 4 * (1 + 36 + 390 + 18 + 825 + 51 + 4 + 200 + 2)))
             if (tag == "BNDS") print "bounds", b[at], b[at + 1], b[at + 2], b[at + 3]
             if (tag == "HMID") {
                 total = sum = 0; for (i = 0; i < 256; i++) total += le(at + 4 * i, 4)
@@ -189,6 +189,8 @@ does "capture of a real line" capture "$line" -o one.pencil --name 'one line' --
 if awk '/^centre +[0-9]/ { c = $2 } /^width at half/ { w = $7; sub(/\(/, "", w) } /^measured/ { n = $5 }
     END { exit !(c >= 176 && c <= 180 && w > 6.3 && w < 6.8 && n > 700 && n <= 740) }' "$TMP/out"; then ok "its figures are those of another program"; else fail "its figures are those of another program" "$(head -n 7 "$TMP/out" | tr '\n' '|')"; fi
 before=$(cksum <one.pencil)
+does "capture without the correction" capture --as-measured "$line" -o raw.pencil --name 'one line' --provenance 'a test'
+if cmp -s one.pencil raw.pencil; then fail "the correction changes something"; else ok "the correction changes something"; fi
 tool capture "$scans/absent.png" -o one.pencil
 if [ "$before" = "$(cksum <one.pencil)" ] && [ $status -eq 1 ]; then ok "a failed capture leaves the old file"; else fail "a failed capture leaves the old file"; fi
 tool capture -v --centre 170-190 "$line" -o one.pencil

@@ -15,9 +15,8 @@ static size_t length;
 
 static void collect(const char *text, size_t size)
 {
-    char *more = realloc(whole, length + size + 1);
-    fuzz_require(more != NULL);
-    whole = more;
+    whole = realloc(whole, length + size + 1);
+    fuzz_require(whole != NULL);
     memcpy(whole + length, text, size);
     length += size;
 }

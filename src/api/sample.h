@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: MIT */
+#ifndef PLB_API_SAMPLE_H
+#define PLB_API_SAMPLE_H
+
+#include "profile/profile.h"
+
+/* A line_sampler: lines of a free hand on medium paper, one way to go by in all figures. `closure` is not used. */
+bool plb_api_sample(void *closure, const profile *p, int lines, int width, int height, uint8_t *grey, error *err);
+
+#endif
