@@ -42,7 +42,7 @@ LDFLAGS_release = -pie -Wl,-z,relro,-z,now,-z,noexecstack
 LDFLAGS_ALL = $(filter -fsanitize=% --coverage,$(flags_$(BUILD))) $(LDFLAGS_$(BUILD)) $(LDFLAGS)
 
 # The inner loops of the texture are written for the compiler's vectors.
-CFLAGS_stroke = $(if $(filter release,$(BUILD)),-O3)
+CFLAGS_stroke = $(if $(filter release,$(BUILD)),-O3 -fno-trapping-math -fno-math-errno)
 
 layers   = base list profile input plan stroke surface api
 lib_src  = $(foreach d,$(layers),$(wildcard src/$(d)/*.c))

@@ -10,9 +10,12 @@
  *
  *     piece i:   a(q) = (q - P_i) . B_i >= 0,   b(q) = (q - P_i+1) . B_i+1 < 0,   B the tangent at the joint
  *                across(q) = cross(T_i, q - P_i),   along(q) = s_i + len_i a / (a - b)
+ *
+ * strip_rows.c has this for the rows of one piece.
  */
 #include "base/units.h"
 #include "stroke/stroke.h"
+#include "stroke/strip_rows.h"
 
 #include <limits.h>
 #include <math.h>
@@ -34,19 +37,6 @@
 #define STRAY 0.1
 /* … and such a piece is no longer than this, page pixels: its bounds should not be much wider than the stroke. */
 #define LONGEST_PIECE 48.0
-
-/* Page pixels [x0, x1) × [y0, y1); empty when x1 <= x0. */
-typedef struct {
-    int x0, y0, x1, y1;
-} pixel_box;
-
-/* A piece of the path in page pixels. */
-typedef struct {
-    point p0, p1, b0, b1, t;
-    double length, s0; /* s0 in strip pixels */
-    double left, right; /* how far it reaches to either side, page pixels */
-    pixel_box in;             /* page pixels it may touch */
-} piece;
 
 /* Rows of samples whose darkness is not known yet, and where it goes. */
 typedef struct {
@@ -192,64 +182,6 @@ static bool begin_next(mapper *m, pixel_box next)
 
 /* ---- from pieces to samples ---- */
 
-/* The x of a row where c + x step >= 0, for c in turn. */
-typedef struct {
-    double step, inverse;
-} half_plane;
-
-static half_plane half_plane_of(double step)
-{
-    return (half_plane){step, step != 0 ? 1 / step : 0};
-}
-
-/* Narrows [*low, *high] to it. */
-static void narrow(double c, half_plane p, double *low, double *high)
-{
-    double x = -c * p.inverse;
-    if (p.step > 0)
-        *low = x > *low ? x : *low;
-    else if (p.step < 0)
-        *high = x < *high ? x : *high;
-    else if (c < 0)
-        *high = *low - 1;
-}
-
-/* What the rows of a piece share. */
-typedef struct {
-    const piece *k;
-    double step, us; /* from sample to sample: page px, and across */
-    double x;        /* of sample 0, page px */
-    half_plane begin, end, left, right;
-} piece_frame;
-
-/* A row of samples: the quantities of the banner at sample 0. */
-typedef struct {
-    const piece_frame *f;
-    double a, b, u, y;
-} row_frame;
-
-static double row_a(const row_frame *r, int i)
-{
-    return r->a + i * r->f->k->b0.x * r->f->step;
-}
-
-static double row_b(const row_frame *r, int i)
-{
-    return r->b + i * r->f->k->b1.x * r->f->step;
-}
-
-static bool is_in_piece(const row_frame *r, int i)
-{
-    double u = r->u + i * r->f->us;
-    return !(row_a(r, i) < 0 || row_b(r, i) >= 0 || u > r->f->k->right || u < -r->f->k->left);
-}
-
-static double row_along(const mapper *m, const row_frame *r, int i)
-{
-    double a = row_a(r, i), b = row_b(r, i);
-    return r->f->k->s0 + r->f->k->length * m->strip_px * a / (a - b);
-}
-
 /* The darker of both, for LANES samples; `mask`: 0 leaves a sample as it is. */
 static void darken_lanes(uint8_t *restrict to, const uint8_t *restrict dark, const uint8_t *restrict mask)
 {
@@ -279,73 +211,60 @@ static void shade_asked(mapper *m)
     q->n = q->samples = 0;
 }
 
-/* Asks for samples first to last, all within the piece: `along` is taken to run evenly between them, as it does on straight
- * lines and nearly on others. They go into `to`, which is blank or has samples already. */
-static void ask(mapper *m, const row_frame *r, int first, int last, uint8_t *to)
+/* Asks for samples first to last of row j, all within the piece: `along` is taken to run evenly between them, as it does on
+ * straight lines and nearly on others. They go into `to`, which is blank or has samples already. */
+static void ask(mapper *m, const piece_frame *f, const piece_rows *r, int j, int first, int last, uint8_t *to)
 {
-    const piece_frame *f = r->f;
     asked_rows *q = &m->asked;
     int n = last - first + 1;
     if (q->n == ROWS_ASKED || q->samples + n > SAMPLES_ASKED)
         shade_asked(m);
-    double along = row_along(m, r, first), mm = m->page_mm;
-    sample_row at = {n, along, 0, (r->u + first * f->us) * m->strip_px, f->us * m->strip_px,
-                     (f->x + first * f->step) * mm, r->y * mm, f->step * mm};
-    if (last > first)
-        at.along_step = (row_along(m, r, last) - along) / (last - first);
-    q->row[q->n] = at;
+    double mm = m->page_mm;
+    q->row[q->n] = (sample_row){.n = n, .along = r->along[j], .along_step = r->along_step[j],
+                                .across = (r->u[j] + first * f->us) * m->strip_px, .across_step = f->us * m->strip_px,
+                                .x = (f->x + first * f->step) * mm, .y = r->y[j] * mm, .step = f->step * mm};
     q->to[q->n++] = to + first;
     q->samples += n;
 }
 
-/* Samples first to last of a row of the piece into the patch. */
-static void ask_row(mapper *m, const row_frame *r, int row, int first, int last, uint8_t *to)
+/* … one by one, each at its own place. */
+static void ask_each(mapper *m, const piece_frame *f, piece_rows *r, int j, uint8_t *to)
 {
-    int x = r->f->k->in.x0 - m->in.x0, n = m->samples;
-    mark(m, row / n, x + first / n, x + last / n + 1);
-    if (!m->s->one_by_one) {
-        ask(m, r, first, last, to);
-        return;
-    }
-    for (int i = first; i <= last; i++)
-        if (is_in_piece(r, i))
-            ask(m, r, i, i, to);
+    r->along_step[j] = 0;
+    for (int i = r->first[j]; i <= r->last[j]; i++)
+        if (plb_piece_owns(f, r, j, i)) {
+            r->along[j] = plb_piece_along(f, r, j, i);
+            ask(m, f, r, j, i, i, to);
+        }
 }
 
-/* One row of samples of one piece, at height y (page pixels): row number `row` of the patch. */
-static void map_row(mapper *m, const piece_frame *f, double y, int row)
+/* Rows of samples of a piece into the patch, the first one row number `row` of it. */
+static void map_rows(mapper *m, const piece_frame *f, piece_rows *r, int row)
 {
-    const piece *k = f->k;
-    double dy0 = y - k->p0.y, dy1 = y - k->p1.y;
-    row_frame r = {.f = f, .y = y};
-    r.a = (f->x - k->p0.x) * k->b0.x + dy0 * k->b0.y;
-    r.b = (f->x - k->p1.x) * k->b1.x + dy1 * k->b1.y;
-    r.u = k->t.x * dy0 - k->t.y * (f->x - k->p0.x);
-    double low = -0.5, high = (double)(k->in.x1 - k->in.x0) * m->samples - 0.5;
-    narrow(r.a, f->begin, &low, &high);
-    narrow(-r.b, f->end, &low, &high);
-    narrow(k->left + r.u, f->left, &low, &high);
-    narrow(k->right - r.u, f->right, &low, &high);
-    if (!(low <= high)) /* and so both fit an int */
-        return;
-    int first = low < 0 ? 0 : (int)ceil(low - 1e-9), last = (int)floor(high + 1e-9);
-    while (first <= last && !is_in_piece(&r, first))
-        first++;
-    while (first <= last && !is_in_piece(&r, last))
-        last--;
-    if (first <= last)
-        ask_row(m, &r, row, first, last, m->fine + (size_t)row * m->stride + (size_t)((k->in.x0 - m->in.x0) * m->samples));
+    int x = f->k->in.x0 - m->in.x0, n = m->samples;
+    uint8_t *to = m->fine + (size_t)row * m->stride + (size_t)(x * n);
+    for (int j = 0; j < r->n; j++, to += m->stride) {
+        if (r->last[j] < r->first[j])
+            continue;
+        mark(m, (row + j) / n, x + r->first[j] / n, x + r->last[j] / n + 1);
+        if (m->s->one_by_one)
+            ask_each(m, f, r, j, to);
+        else
+            ask(m, f, r, j, r->first[j], r->last[j], to);
+    }
 }
 
 /* The piece's samples into the patch, which covers it. */
 static void map_piece(mapper *m, const piece *k)
 {
-    double step = 1.0 / m->samples, us = -k->t.y * step;
-    piece_frame f = {k, step, us, k->in.x0 + step / 2, half_plane_of(k->b0.x * step), half_plane_of(-k->b1.x * step), half_plane_of(us),
-                     half_plane_of(-us)};
-    int from = k->in.y0 < m->top ? m->top : k->in.y0, to = k->in.y1 > m->foot ? m->foot : k->in.y1;
-    for (int j = (from - k->in.y0) * m->samples; j < (to - k->in.y0) * m->samples; j++)
-        map_row(m, &f, k->in.y0 + (j + 0.5) / m->samples, (k->in.y0 - m->in.y0) * m->samples + j);
+    piece_frame f = plb_piece_frame(k, m->samples, m->strip_px);
+    piece_rows r; /* large: only what is used is set */
+    int top = k->in.y0 < m->top ? m->top : k->in.y0, foot = k->in.y1 > m->foot ? m->foot : k->in.y1;
+    int from = (top - k->in.y0) * m->samples, to = (foot - k->in.y0) * m->samples;
+    for (int j = from; j < to; j += PIECE_ROWS) {
+        plb_piece_rows(&f, j, to - j < PIECE_ROWS ? to - j : PIECE_ROWS, &r);
+        map_rows(m, &f, &r, (k->in.y0 - m->in.y0) * m->samples + j);
+    }
     shade_asked(m);
 }
 

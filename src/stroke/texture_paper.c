@@ -95,13 +95,11 @@ paper_sheet plb_paper_sheet(uint64_t seed)
     return s;
 }
 
-/* `at`, a whole number, on a ring. */
+/* `at`, a whole number that no page is large enough to exceed, on a ring. */
 static inline int wrap(int64_t at, int tile)
 {
-    static const double inverse[PAPER_TILES] = {1.0 / 191, 1.0 / 173};
-    int64_t rest = at - (int64_t)((double)at * inverse[tile]) * sides[tile]; /* off by one turn at most */
-    rest += rest < 0 ? sides[tile] : 0;
-    return (int)(rest >= sides[tile] ? rest - sides[tile] : rest);
+    const uint64_t turns = (uint64_t)1 << 40, side = (uint64_t)sides[tile];
+    return (int)(((uint64_t)at + turns * side) % side);
 }
 
 static inline int64_t floor_of(double v)

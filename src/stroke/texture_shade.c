@@ -30,7 +30,8 @@
 /* Where points are. */
 typedef struct {
     int n;
-    bool ends;                             /* some lie where the pressure is not the line's */
+    bool ends;                             /* some lie where the pressure is not the line's … */
+    double columns, plain_first, plain_last; /* … but none of columns between these is: of all there are */
     int32_t column[POINTS];                /* of the field … */
     float row[POINTS];                     /* … its whole part is meant */
     float across[POINTS];                  /* px to the right of the centreline */
@@ -172,9 +173,9 @@ static void locate_one_by_one(const grain *g, const sample_row *at, int from, in
 static void add_run(const grain *g, const sample_row *at, int from, int n, points *p)
 {
     const paper *on = &g->pencil->grain->paper;
-    double begin = at->along + from * at->along_step, end = at->along + (from + n - 1) * at->along_step, aside = (double)g->ragged;
+    double begin = at->along + from * at->along_step, end = at->along + (from + n - 1) * at->along_step;
     double low = begin < end ? begin : end, high = begin < end ? end : begin;
-    bool beside_line = low >= 0 && high < g->columns;
+    bool beside_line = low >= 0 && high < p->columns;
     if (!beside_line)
         locate_one_by_one(g, at, from, n, p);
     else if (g->ragged > 0)
@@ -183,7 +184,7 @@ static void add_run(const grain *g, const sample_row *at, int from, int n, point
         locate_run(g, at, from, n, p);
     if (on->share > 0)
         plb_paper_row(on, &g->sheet, at->x + from * at->step, at->y, at->step, n, p->height + p->n);
-    p->ends = p->ends || !beside_line || low - aside < g->plain_first || high + aside >= g->plain_last;
+    p->ends |= !beside_line || low < p->plain_first || high >= p->plain_last;
     p->n += n;
 }
 
@@ -192,8 +193,8 @@ static void add_run(const grain *g, const sample_row *at, int from, int n, point
 /* What each point comes to, pass after pass. */
 typedef struct {
     int32_t cell[POINTS];                /* of the field */
-    int32_t knot[POINTS];                /* where its column's levels begin */
     int32_t place[POINTS];               /* of the section, 256 to a step */
+    int32_t at[POINTS];                  /* of the place before it, among the levels of its column's knot */
     uint16_t levels[POINTS];             /* of the places before it and behind it: low and high byte */
     int16_t level[POINTS], own[POINTS];  /* what is expected; the stroke's own field */
     int16_t score[POINTS], bend[POINTS]; /* with the paper's; what its table adds to it */
@@ -226,22 +227,18 @@ PLB_WIDE static void find_cells(const grain *g, const points *p, reading *r)
     const int32_t stride = g->stride;
     for (int i = 0; i < p->n; i++) {
         r->cell[i] = p->column[i] * stride + whole_within(p->row[i], last);
-        r->knot[i] = (int32_t)((uint32_t)(p->column[i] + GRAIN_KNOT / 2) / GRAIN_KNOT * GRAIN_PLACES_PADDED);
+        r->at[i] = (int32_t)((uint32_t)(p->column[i] + GRAIN_KNOT / 2) / GRAIN_KNOT * GRAIN_PLACES_PADDED) + (r->place[i] >> 8);
     }
 }
 
 static void look_up_field(const grain *g, int n, reading *r)
 {
     const int8_t *field = g->field;
-    for (int i = 0; i < n; i++)
-        r->own[i] = field[r->cell[i]];
-}
-
-static void look_up_levels(const grain *g, int n, reading *r)
-{
     const uint8_t *level = g->level;
-    for (int i = 0; i < n; i++)
-        r->levels[i] = pair_of(level + r->knot[i] + (r->place[i] >> 8));
+    for (int i = 0; i < n; i++) {
+        r->own[i] = field[r->cell[i]];
+        r->levels[i] = pair_of(level + r->at[i]);
+    }
 }
 
 /* Between two places: first + (second - first) w / 256, rounded, by the two halves of a product of 16 bits. */
@@ -259,7 +256,7 @@ PLB_WIDE static void find_levels(int n, reading *r)
 static void find_coarse_levels(const grain *g, int n, reading *r)
 {
     for (int i = 0; i < n; i++) {
-        const uint8_t *levels = g->level + r->knot[i];
+        const uint8_t *levels = g->level + r->at[i] - (r->place[i] >> 8);
         int sum = 0;
         for (int k = -1; k <= 1; k++) {
             int at = within(r->place[i] + k * g->foot, PLACE_LAST), w = at & 255;
@@ -294,16 +291,12 @@ PLB_WIDE static void find_scores(const grain *g, const points *p, reading *r)
 
 static void look_up_bends(const grain *g, int n, reading *r)
 {
-    const int8_t *bend = g->bend;
-    for (int i = 0; i < n; i++)
-        r->bend[i] = bend[r->score[i]];
-}
-
-static void look_up_shares(const grain *g, int n, reading *r)
-{
     const grain_tables *t = g->pencil->grain;
-    for (int i = 0; i < n; i++)
+    const int8_t *bend = g->bend;
+    for (int i = 0; i < n; i++) {
+        r->bend[i] = bend[r->score[i]];
         r->at_level[i] = (uint16_t)(t->at_level[r->level[i]].share | t->at_level[r->level[i]].row << 8);
+    }
 }
 
 PLB_WIDE static void find_entries(int n, reading *r)
@@ -340,17 +333,14 @@ static int finish(const grain *g, points *p, uint8_t *out)
     find_places(g, p, &r);
     find_cells(g, p, &r);
     look_up_field(g, n, &r);
-    if (g->foot > 0) {
+    if (g->foot > 0)
         find_coarse_levels(g, n, &r);
-    } else {
-        look_up_levels(g, n, &r);
+    else
         find_levels(n, &r);
-    }
     if (p->ends)
         press(g, p, &r);
     find_scores(g, p, &r);
     look_up_bends(g, n, &r);
-    look_up_shares(g, n, &r);
     find_entries(n, &r);
     look_up_darkness(g, n, &r);
     find_darkness(g, n, &r, out);
@@ -365,6 +355,9 @@ static void shade(const void *texture, const sample_row *rows, int n, uint8_t *o
     points p; /* large: not all of it is set here */
     p.n = 0;
     p.ends = false;
+    p.columns = g->columns;
+    p.plain_first = g->plain_first + (double)g->ragged;
+    p.plain_last = g->plain_last - (double)g->ragged;
     if (!(g->pencil->grain->paper.share > 0))
         memset(p.height, 0, sizeof p.height);
     for (const sample_row *at = rows; at < rows + n; at++)

@@ -153,11 +153,15 @@ bool plb_page_next_band(page *p)
     return true;
 }
 
-static void lay_row(const uint16_t deposit[256], const uint8_t *grey, uint16_t *to, int n)
+/* Looked up first, then added: the second loop fits vectors. */
+static void lay_row(const uint16_t deposit[256], const uint8_t *grey, uint16_t *restrict to, int n)
 {
+    uint16_t more[PATCH_SIDE];
+    for (int x = 0; x < n; x++)
+        more[x] = deposit[grey[x]];
     for (int x = 0; x < n; x++) {
-        unsigned sum = to[x] + (unsigned)deposit[grey[x]];
-        to[x] = (uint16_t)(sum > 65535 ? 65535 : sum);
+        uint16_t sum = (uint16_t)(to[x] + more[x]);
+        to[x] = sum < more[x] ? 65535 : sum;
     }
 }
 
