@@ -125,25 +125,33 @@ PLB_WIDE static void add_rows(const int8_t *restrict a, const int8_t *restrict b
         out[k] = (int16_t)(a[k] + b[k]);
 }
 
+/* In which texels, counted from the first one, points number `from` on lie, `texels` apart, number 0 so far `within` it. */
+PLB_WIDE static void find_texels(float within, float texels, int from, int n, int32_t *restrict at)
+{
+    for (int k = 0; k < n; k++)
+        at[k] = (int32_t)(within + (float)(from + k) * texels);
+}
+
 void plb_paper_row(const paper *p, const paper_sheet *sheet, double x, double y, double step, int n, int16_t *out)
 {
     double px = x * TEXELS_PER_MM, way = step * TEXELS_PER_MM;
     int64_t first = floor_of(px), row = floor_of(y * TEXELS_PER_MM);
     const int8_t *from[PAPER_TILES];
-    const int padded = (n + PAPER_BLOCK - 1) & -PAPER_BLOCK;
     for (int i = 0; i < PAPER_TILES; i++)
         from[i] = p->tile[i][wrap(row + sheet->y[i], i)] + wrap(first + sheet->x[i], i);
     if (fabs(way - 1) < 1e-9) {
-        add_rows(from[0], from[1], padded, out);
+        add_rows(from[0], from[1], (n + PAPER_BLOCK - 1) & -PAPER_BLOCK, out);
         return;
     }
-    float within = (float)(px - (double)first), texels = (float)way;
-    if (way * n < PAPER_RUN - 2)
-        for (int k = 0; k < n; k++) {
-            int at = (int)(within + (float)k * texels);
-            out[k] = (int16_t)(from[0][at] + from[1][at]);
-        }
-    else /* very coarse pages go round the tiles */
-        for (int k = 0; k < n; k++)
-            out[k] = height_at(p, sheet, first + (int)(within + (float)k * texels), row);
+    int32_t at[PAPER_RUN];
+    for (int b = 0; b < n; b += PAPER_RUN) {
+        int some = n - b < PAPER_RUN ? n - b : PAPER_RUN;
+        find_texels((float)(px - (double)first), (float)way, b, some, at);
+        if (way * n < PAPER_RUN - 2)
+            for (int k = 0; k < some; k++)
+                out[b + k] = (int16_t)(from[0][at[k]] + from[1][at[k]]);
+        else /* very coarse pages go round the tiles */
+            for (int k = 0; k < some; k++)
+                out[b + k] = height_at(p, sheet, first + at[k], row);
+    }
 }

@@ -123,33 +123,62 @@ static inline int32_t floor_of(double v)
     return whole - (v < whole);
 }
 
-/* As look_beside has it, where all points lie beside the line: in passes without a branch. */
-static void locate_ragged(const grain *g, const sample_row *at, int from, int n, points *p)
+/* ---- as look_beside has it, where all points lie beside the line: in passes without a branch ---- */
+
+/* A run of a row: the place of its point number i is along + (from + i) step, and so across. */
+typedef struct {
+    double along, step, across, aside;
+    int from, n;
+} fine_run;
+
+/* The eighths of a pixel in which points lie. */
+PLB_WIDE static void find_eighths(fine_run r, int32_t *restrict x, int32_t *restrict y)
 {
-    const double ragged = (double)g->ragged, half = g->rows / 2, step = at->along_step, aside = at->across_step;
-    const double along0 = at->along, across0 = at->across;
-    const int32_t last = g->columns - 1, rows = g->rows - 1;
-    const int whole = padded(n);
-    int32_t *restrict column = p->column + p->n, x[RUN], y[RUN];
-    float *restrict row = p->row + p->n, *restrict exact = p->across + p->n;
-    for (int i = 0; i < whole; i++) {
-        x[i] = floor_of((along0 + (from + i) * step) * 8);
-        y[i] = floor_of((across0 + (from + i) * aside) * 8);
+    for (int i = 0; i < r.n; i++) {
+        x[i] = floor_of((r.along + (r.from + i) * r.step) * 8);
+        y[i] = floor_of((r.across + (r.from + i) * r.aside) * 8);
     }
+}
+
+/* Two numbers of 16 bits from them, in their place. */
+PLB_WIDE static void mix(int n, int32_t *restrict x, int32_t *restrict y)
+{
     for (int i = 0; i < n; i++) {
-        uint64_t h = random_mix((uint64_t)x[i] * 0x9e3779b97f4a7c15u ^ (uint64_t)y[i]);
+        uint64_t h = random_mix((uint64_t)(int64_t)x[i] * 0x9e3779b97f4a7c15u ^ (uint64_t)(int64_t)y[i]);
         x[i] = (int32_t)(h & 0xffff);
         y[i] = (int32_t)(h >> 16 & 0xffff);
     }
-    for (int i = 0; i < whole; i++) {
-        double along = along0 + (from + i) * step, across = across0 + (from + i) * aside;
+}
+
+/* How far beside its own place a point looks, `ragged` at most. */
+static inline double beside(double ragged, int32_t bits)
+{
+    return ragged * (bits * (1.0 / 32768) - 1);
+}
+
+PLB_WIDE static void look_about(fine_run r, const grain *g, const int32_t *restrict x, const int32_t *restrict y, int32_t *restrict column,
+                                float *restrict row, float *restrict exact)
+{
+    const double ragged = (double)g->ragged, half = g->rows / 2;
+    const int32_t last = g->columns - 1;
+    for (int i = 0; i < r.n; i++) {
+        double across = r.across + (r.from + i) * r.aside, seen = across + beside(ragged, y[i]) + half + 0.5;
         exact[i] = (float)across;
-        along += ragged * (x[i] * (1.0 / 32768) - 1);
-        across += ragged * (y[i] * (1.0 / 32768) - 1);
-        column[i] = within((int32_t)along, last); /* what lies before the first is cut to it, as by a floor */
-        row[i] = (float)within((int32_t)(across + half + 0.5), rows);
+        column[i] = within((int32_t)(r.along + (r.from + i) * r.step + beside(ragged, x[i])), last); /* below 0: the first */
+        row[i] = (float)(int32_t)seen; /* what is beyond the field is cut off later */
     }
 }
+
+static void locate_ragged(const grain *g, const sample_row *at, int from, int n, points *p)
+{
+    fine_run r = {at->along, at->along_step, at->across, at->across_step, from, padded(n)};
+    int32_t x[RUN], y[RUN];
+    find_eighths(r, x, y);
+    mix(r.n, x, y);
+    look_about(r, g, x, y, p->column + p->n, p->row + p->n, p->across + p->n);
+}
+
+/* ---- */
 
 /* A place where no darkness is ever expected, px across. */
 #define NOWHERE (-1000.0f)
