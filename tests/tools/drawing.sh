@@ -4,6 +4,7 @@
 #   barn       a barn of 40 lines, 800 by 600 px
 #   segments   N straight lines as a CAD plan has them, on 2000 by 1500 px: walls, doors, hatching, dimensions
 #   curves     N cubic curves, each a path of its own, on 2000 by 1500 px
+#   strokes    N lines of 13 mm anywhere on A4
 #   hatching   a page of 6,000 hatch lines in fields of several directions, on 2000 by 1500 px
 LC_ALL=C awk -v kind="$1" -v n="${2:-0}" '
 function page(w, h, width) {
@@ -52,6 +53,12 @@ function curve(    x, y, k, d) {
     for (k = 0; k < 3; k++) d = d sprintf("%.2f %.2f ", x + random(-60, 60), y + random(-60, 60))
     print "<path d=\"" d "\"/>"
 }
+function strokes(    k, x, y, turn) {
+    for (k = 0; k < n; k++) {
+        x = random(50, 740); y = random(50, 1070); turn = random(0, 6.2831853)
+        line(x, y, x + 49.13 * cos(turn), y + 49.13 * sin(turn))
+    }
+}
 function hatching(    i, j, k, x, y) {
     for (j = 0; j < 6; j++) for (i = 0; i < 8; i++) {
         x = 20 + 246 * i; y = 20 + 245 * j
@@ -67,7 +74,8 @@ BEGIN {
     if (kind == "barn") { n = 40; page(800, 600, "1.5"); barn() }
     else if (kind == "segments") { page(2000, 1500, "1"); plan() }
     else if (kind == "curves") { page(2000, 1500, "1"); for (k = 0; k < n; k++) curve() }
+    else if (kind == "strokes") { page(794, 1123, "1"); strokes() }
     else if (kind == "hatching") { n = 6000; page(2000, 1500, "1"); hatching() }
-    else { print "usage: drawing.sh barn|segments|curves|hatching [N]" >"/dev/stderr"; exit 2 }
+    else { print "usage: drawing.sh barn|segments|curves|strokes|hatching [N]" >"/dev/stderr"; exit 2 }
     print "</svg>"
 }'
