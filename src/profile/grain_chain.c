@@ -13,18 +13,18 @@
 #define SHARE_HIGH 0.42      /* of the columns; chosen by eye */
 #define COMMON_GAIN 0.7      /* of the common steps the chain makes; chosen by eye */
 #define LEAST_SPREAD 0.04    /* below it the coefficient is constant */
-#define LONG_MEAN 0.65        /* up to here the chain alone makes the correlation along; chosen by eye */
-#define MOST_MEAN 0.9
+#define LONG_MEAN 0.45       /* up to here the chain alone makes the correlation along; beyond, the less the more there is … */
+#define LEAST_LONG_MEAN 0.15 /* … down to here: its memory is too long for the blur of a soft scan; both chosen by trial */
 #define MOST_HIGH 0.93
 #define LOWEST (-0.95)
 #define MOST_PERSISTENT 0.8
 #define MEMORY 12            /* columns after which an innovation is forgotten */
 
-/* The chain's part of the correlation with the next column. What is beyond, as in soft scans, is the filter's: it ends sooner. */
+/* The chain's part of the correlation with the next column. The rest is the filter's. */
 static double mean_of(const grain_moments *m)
 {
-    double next = m->correlation[1][0], second = m->correlation[2][0];
-    return clamp(next > LONG_MEAN ? fmax(LONG_MEAN, fmin(next, second / next)) : next, 0, MOST_MEAN);
+    double next = m->correlation[1][0], beyond = fmax(0, next - LONG_MEAN);
+    return clamp(next - 2 * beyond, beyond > 0 ? LEAST_LONG_MEAN : 0, LONG_MEAN);
 }
 
 void plb_grain_chain(const grain_moments *m, grain_model *g)
