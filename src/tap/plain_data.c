@@ -202,7 +202,7 @@ bool plb_plain_data(plain_path *p, plain_text text, bool square)
 
 /* ---- points ------------------------------------------------------------------------------------------------- */
 
-/* Between points there is a comma or there are blanks; librsvg takes no blanks before the comma. */
+/* Between points there is a comma or there are blanks; librsvg takes no blanks before the comma, and no comma at the end. */
 static bool read_point(plain_text *t, double v[2], bool *more)
 {
     if (!plb_plain_css_number(t, &v[0]))
@@ -210,14 +210,13 @@ static bool read_point(plain_text *t, double v[2], bool *more)
     plb_plain_comma(t);
     if (!plb_plain_css_number(t, &v[1]))
         return false;
-    bool is_apart = plb_plain_blank(t);
-    if (!is_apart && t->at < t->end && *t->at == ',') {
+    bool is_apart = plb_plain_blank(t), has_comma = !is_apart && t->at < t->end && *t->at == ',';
+    if (has_comma) {
         t->at++;
         plb_plain_blank(t);
-        is_apart = t->at < t->end;
     }
     *more = t->at < t->end;
-    return is_apart || !*more;
+    return *more ? is_apart || has_comma : !has_comma;
 }
 
 bool plb_plain_points(plain_path *p, plain_text points, bool closed, bool square)

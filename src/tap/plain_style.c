@@ -137,6 +137,14 @@ static bool is_none(plain_style *s, plain_text value)
     return plb_plain_is(value, "none");
 }
 
+/* The inside before the line. */
+static bool is_usual_order(plain_style *s, plain_text value)
+{
+    static const char *const words[] = {"normal", "fill", "fill stroke", "fill stroke markers", "markers fill stroke", NULL};
+    (void)s;
+    return plb_plain_is_any(value, words);
+}
+
 static bool is_normal(plain_style *s, plain_text value)
 {
     (void)s;
@@ -172,7 +180,7 @@ static const property properties[] = {
     {"marker-mid", is_none},
     {"marker-end", is_none},
     {"vector-effect", is_none},
-    {"paint-order", is_normal},
+    {"paint-order", is_usual_order},
     {"mix-blend-mode", is_normal},
     {"isolation", is_normal},
 };
@@ -198,19 +206,25 @@ bool plb_plain_property(plain_style *s, plain_text name, plain_text value)
 
 /* ---- style attributes --------------------------------------------------------------------------------------- */
 
-/* The end of a declaration: a semicolon outside of quotes. NULL: what CSS reads in ways of its own. */
+/* The end of a declaration: a semicolon outside of quotes. NULL: what CSS reads in ways of its own, so lines that end within
+ * quotes, and brackets that are not closed before the semicolon. */
 static const char *end_of_declaration(plain_text t)
 {
     char quote = '\0';
+    int open = 0;
     for (; t.at < t.end && (quote || *t.at != ';'); t.at++) {
-        if (memchr("\\!{}[]@*<", *t.at, 9))
+        if (memchr("\\!{}[]@*<", *t.at, 9) || (quote && *t.at == '\n'))
             return NULL;
         if (*t.at == quote)
             quote = '\0';
         else if (!quote && (*t.at == '"' || *t.at == '\''))
             quote = *t.at;
+        else if (!quote)
+            open += (*t.at == '(') - (*t.at == ')');
+        if (open < 0)
+            return NULL;
     }
-    return quote ? NULL : t.at;
+    return quote || open ? NULL : t.at;
 }
 
 /* Properties are written in lower case: CSS reads other letters as these, librsvg does not. */

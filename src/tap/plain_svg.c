@@ -66,7 +66,7 @@ static bool read_box(plain_text t, double box[4])
         if (!plb_plain_css_number(&t, &box[i]))
             return false;
     }
-    return t.at == t.end && box[2] > 0 && box[3] > 0;
+    return t.at == t.end && box[2] > PLAIN_NEAR && box[3] > PLAIN_NEAR;
 }
 
 static bool read_extent(plain_text t, tap_extent *e)
@@ -75,7 +75,7 @@ static bool read_extent(plain_text t, tap_extent *e)
     if (!t.at || plb_plain_is(t, "100%"))
         return true;
     e->is_share = false;
-    return plb_plain_length(t, &e->value) && e->value > 0 && e->value <= TAP_PX_MAX;
+    return plb_plain_length(t, &e->value) && e->value > PLAIN_NEAR && e->value <= TAP_PX_MAX;
 }
 
 /* As the style sheet of tap_svg.c has it: printed with so many digits, and read by librsvg in single precision. */
@@ -374,11 +374,12 @@ static bool has_effect(const char *name)
     return plb_plain_is_any(words(name), names);
 }
 
-/* Draws nothing, with all that is in it: descriptions, definitions (nothing refers to them), other namespaces. */
-static bool draws_nothing(const char *name, bool is_svg)
+/* Draws nothing, with all that is in it: descriptions, definitions (nothing refers to them), other namespaces; librsvg
+ * does draw elements of none. */
+static bool draws_nothing(const char *name, const char *uri)
 {
     static const char *const names[] = {"title", "desc", "metadata", "defs", NULL};
-    return !is_svg || plb_plain_is_any(words(name), names);
+    return uri && (strcmp(uri, SVG_NAMESPACE) != 0 || plb_plain_is_any(words(name), names));
 }
 
 static reader *reader_of(void *context) { return ((xmlParserCtxt *)context)->_private; }
@@ -388,16 +389,15 @@ static void on_start(void *context, const xmlChar *name, const xmlChar *prefix, 
 {
     (void)prefix, (void)n_namespaces, (void)namespaces;
     reader *r = reader_of(context);
-    const char *local = (const char *)name;
-    bool is_svg = uri && !strcmp((const char *)uri, SVG_NAMESPACE);
+    const char *local = (const char *)name, *space = (const char *)uri;
     if (*r->why)
         return;
     if (n_defaulted || has_effect(local)) {
         refuse(r, "element", words(local));
-    } else if (r->skipped || (r->depth && draws_nothing(local, is_svg))) {
+    } else if (r->skipped || (r->depth && draws_nothing(local, space))) {
         r->skipped++;
     } else {
-        const element *e = is_svg ? find_element(r, local) : NULL;
+        const element *e = space && !strcmp(space, SVG_NAMESPACE) ? find_element(r, local) : NULL;
         if (!e || (r->depth && r->levels[r->depth - 1].is_shape))
             refuse(r, "element", words(local));
         else
