@@ -31,7 +31,7 @@
 #define ROWS_ASKED 64
 #define SAMPLES_ASKED (PATCH_SIDE * MOST_SAMPLES)
 /* Samples that are compared at a time. */
-#define LANES 16
+#define TOGETHER 16
 /* Neighbouring pieces become one where the path strays from it by no more than this, page pixels (a tenth of a pixel is
  * not seen; pieces get twice as long). */
 #define STRAY 0.1
@@ -182,30 +182,30 @@ static bool begin_next(mapper *m, pixel_box next)
 
 /* ---- from pieces to samples ---- */
 
-/* The darker of both, for LANES samples; `mask`: 0 leaves a sample as it is. */
+/* The darker of both, for TOGETHER samples; `mask`: 0 leaves a sample as it is. */
 static void darken_lanes(uint8_t *restrict to, const uint8_t *restrict dark, const uint8_t *restrict mask)
 {
-    for (int i = 0; i < LANES; i++) {
+    for (int i = 0; i < TOGETHER; i++) {
         uint8_t d = dark[i] & mask[i];
         to[i] = d > to[i] ? d : to[i];
     }
 }
 
-/* … for n samples; up to LANES - 1 beyond are read and, unchanged, written. */
+/* … for n samples; up to TOGETHER - 1 beyond are read and, unchanged, written. */
 static void darken(uint8_t *to, const uint8_t *dark, int n)
 {
-    static const uint8_t masks[2 * LANES] = {255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255};
-    for (; n > 0; n -= LANES, to += LANES, dark += LANES)
-        darken_lanes(to, dark, masks + (n < LANES ? LANES - n : 0));
+    static const uint8_t masks[2 * TOGETHER] = {255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255};
+    for (; n > 0; n -= TOGETHER, to += TOGETHER, dark += TOGETHER)
+        darken_lanes(to, dark, masks + (n < TOGETHER ? TOGETHER - n : 0));
 }
 
 /* The rows that wait get their darkness. */
 static void shade_asked(mapper *m)
 {
     asked_rows *q = &m->asked;
-    uint8_t dark[SAMPLES_ASKED + LANES], *from = dark;
+    uint8_t dark[SAMPLES_ASKED + TOGETHER], *from = dark;
     m->s->shade(m->s->texture, q->row, q->n, dark);
-    memset(dark + q->samples, 0, LANES);
+    memset(dark + q->samples, 0, TOGETHER);
     for (int k = 0; k < q->n; from += q->row[k++].n)
         darken(q->to[k], from, q->row[k].n);
     q->n = q->samples = 0;
@@ -421,7 +421,7 @@ static bool make_fine(map_room *room, size_t side)
     if (room->size >= side * side)
         return true;
     plb_free(room->fine);
-    room->fine = plb_new(2 * side * side + LANES, 1); /* the second half: samples kept */
+    room->fine = plb_new(2 * side * side + TOGETHER, 1); /* the second half: samples kept */
     room->size = room->fine ? side * side : 0;
     return room->fine != NULL;
 }

@@ -9,19 +9,19 @@
  *   3. Grain: noise filtered beforehand, read at places of the stroke's own, joined from column to column by a chain whose
  *      coefficient is high in smooth columns and low in broken ones.
  *
- * All inner loops are on whole numbers, written for the compiler's vectors.
+ * All inner loops are on whole numbers of 16 bits, rows side by side in a register (base/lanes.h).
  */
 #include "base/interpolate.h"
+#include "base/lanes.h"
 #include "base/random.h"
 #include "stroke/pencil.h"
 
 #include <math.h>
+#include <stddef.h>
 #include <string.h>
 
 #define HALF_ROWS_MAX 40
-/* Rows are worked on in blocks of so many, which the compiler keeps in a vector register. */
-#define BLOCK 8
-#define STRIDE_MAX ((2 * HALF_ROWS_MAX + 1 + BLOCK - 1) / BLOCK * BLOCK)
+#define STRIDE_MAX ((2 * HALF_ROWS_MAX + 1 + LANES - 1) / LANES * LANES)
 _Static_assert(STRIDE_MAX <= NOISE_PAD, "a stroke's rows must fit into the noise's pad");
 /* Half a kilometre of pencil, in columns. */
 #define COLUMNS_MAX 6000000
@@ -85,7 +85,7 @@ static bool resize(grain *g, int columns, int rows, error *err)
 {
     g->columns = columns;
     g->rows = rows;
-    g->stride = (rows + BLOCK - 1) / BLOCK * BLOCK;
+    g->stride = (rows + LANES - 1) / LANES * LANES;
     bool ok = make_room((void **)&g->field, &g->field_room, (size_t)columns * (size_t)g->stride) &&
               make_room((void **)&g->level, &g->level_room, knots_of(columns) * GRAIN_PLACES_PADDED) &&
               make_room((void **)&g->ends, &g->ends_room, (size_t)columns);
@@ -148,12 +148,6 @@ static int rows_of(const grain *g)
     return 2 * (half < 1 ? 1 : half > HALF_ROWS_MAX ? HALF_ROWS_MAX : half) + 1;
 }
 
-/* The high half of a product: one instruction for eight of them, where both factors are 16 bits. */
-static inline int16_t high_product(int16_t a, int16_t b)
-{
-    return (int16_t)((a * b) >> 16);
-}
-
 /* ---- 2: the section along the line ---- */
 
 /* The largest coefficient of a mode: section and six modes then stay within 16 bits. */
@@ -171,18 +165,12 @@ _Static_assert(8 * ROOT_MAX <= INT16_MAX, "roots stay within 16 bits");
 
 static void fill_levels(const grain_tables *t, const int16_t coefficient[GRAIN_MODES], int16_t gain, uint8_t out[GRAIN_PLACES_PADDED])
 {
-    int16_t m[GRAIN_PLACES_PADDED];
-    memcpy(m, t->root, sizeof m);
-    for (int i = 0; i < GRAIN_MODES; i++) {
-        const int16_t *mode = t->mode[i], a = coefficient[i];
-        for (int j = 0; j < GRAIN_PLACES_PADDED; j++)
-            m[j] = (int16_t)(m[j] + high_product(a, mode[j]));
-    }
-    for (int j = 0; j < GRAIN_PLACES_PADDED; j++) {
-        int16_t root = m[j] > 0 ? m[j] : 0;
-        root = (int16_t)(8 * (root < ROOT_MAX ? root : ROOT_MAX));
-        int16_t v = (int16_t)((int16_t)(high_product(high_product(root, root), (int16_t)gain) + 1) >> 1);
-        out[j] = (uint8_t)(v < 255 ? v : 255);
+    for (int j = 0; j < GRAIN_PLACES_PADDED; j += LANES) {
+        lanes root = lanes_at(t->root + j);
+        for (int i = 0; i < GRAIN_MODES; i++)
+            root += lanes_high(lanes_all(coefficient[i]), lanes_at(t->mode[i] + j));
+        root = lanes_within(root, 0, ROOT_MAX) * 8;
+        lanes_put_unsigned(out + j, (lanes_high(lanes_high(root, root), lanes_all(gain)) + 1) >> 1);
     }
     out[0] = out[GRAIN_MODE_PLACES - 1] = 0; /* beyond, there is nothing */
 }
@@ -219,7 +207,7 @@ typedef struct {
     int16_t keep[CHAIN_STATES][STRIDE_MAX], fresh[CHAIN_STATES][STRIDE_MAX];
     int16_t spread[STRIDE_MAX]; /* of the grain there, of 16384 */
     int16_t outer[STRIDE_MAX];  /* how far the outer rows' correlation across holds, of 32767 */
-    bool has_outer;
+    bool has_outer[STRIDE_MAX / LANES]; /* whether it does in any of so many rows */
 } grain_rows;
 
 #define SPREAD_UNIT 16384
@@ -251,12 +239,12 @@ static void make_rows(const grain *g, const line_figures *f, grain_rows *rows)
 {
     const grain_tables *t = g->pencil->grain;
     double own = f->along - (double)g->pencil->profile->grain.line_mean[3];
-    rows->has_outer = false;
+    memset(rows->has_outer, 0, sizeof rows->has_outer);
     for (int r = 0; r < g->stride; r++) {
         int at = place_of_row(g, r);
         rows->spread[r] = t->row_spread[at];
         rows->outer[r] = t->row_outer[at];
-        rows->has_outer = rows->has_outer || rows->outer[r] > 0;
+        rows->has_outer[r / LANES] |= rows->outer[r] > 0;
         for (int i = 0; i < CHAIN_STATES; i++) {
             double a = i == CHAIN_FIRST ? 0 : clamp((double)((i ? t->chain_high : t->chain_low) + t->row_along[at]) + own, -0.3, 0.95);
             rows->keep[i][r] = (int16_t)floor(a * 32767 + 0.5);
@@ -265,39 +253,27 @@ static void make_rows(const grain *g, const line_figures *f, grain_rows *rows)
     }
 }
 
-/* A column of innovations: what the white noise of the columns about it comes to after the filter. */
-static void add_noise(const int16_t (*noise)[NOISE_LENGTH + NOISE_PAD], const size_t at[GRAIN_TAPS], int rows, int16_t *restrict out)
+/* Innovations: what the white noise of the columns about them comes to after the filter. `from`: the columns' places in the
+ * noise, the oldest one's first. */
+static inline lanes noise_at(const int16_t *const from[GRAIN_TAPS], ptrdiff_t at)
 {
-    const int16_t *from[GRAIN_TAPS];
-    for (int i = 0; i < GRAIN_TAPS; i++)
-        from[i] = noise[i] + at[i];
-    for (int b = 0; b < rows; b += BLOCK)
-        for (int r = b; r < b + BLOCK; r++)
-            out[r] = (int16_t)(from[0][r] + from[1][r] + from[2][r] + from[3][r] + from[4][r]);
+    return lanes_at(from[0] + at) + lanes_at(from[1] + at) + lanes_at(from[2] + at) + lanes_at(from[3] + at) + lanes_at(from[4] + at);
 }
 
-/* The outer rows go over into the same noise through another filter. */
-static void blend(const grain_rows *w, int rows, const int16_t *restrict outer, int16_t *restrict out)
+/* The next column of the chain, into `field`, and the same as bytes, with its place's and its patch's spread, into `out`. Outer
+ * rows' innovations go over into the same noise through another filter, which lies `to_outer` beyond the inner one's. */
+static void make_column(const grain_rows *w, int state, int rows, const int16_t *const from[GRAIN_TAPS], ptrdiff_t to_outer,
+                        const int8_t *amplitude, int16_t *field, int8_t *out)
 {
-    for (int b = 0; b < rows; b += BLOCK)
-        for (int r = b; r < b + BLOCK; r++)
-            out[r] = (int16_t)(out[r] + 2 * high_product((int16_t)(outer[r] - out[r]), w->outer[r]));
-}
-
-/* The next column of the chain, and the same rounded to bytes. */
-static void join_column(const grain_rows *w, int state, int16_t *restrict field, const int16_t *restrict fresh, const int8_t *restrict amplitude,
-                        int rows, int8_t *restrict out)
-{
-    const int16_t *restrict keep = w->keep[state], *restrict share = w->fresh[state];
-    for (int b = 0; b < rows; b += BLOCK)
-        for (int r = b; r < b + BLOCK; r++) {
-            int16_t halved = (int16_t)(high_product(field[r], keep[r]) + high_product(fresh[r], share[r]));
-            field[r] = (int16_t)(2 * halved);
-            int16_t v = high_product(high_product(field[r], w->spread[r]), (int16_t)(amplitude[r] * 256));
-            v = (int16_t)((int16_t)(v + 2) >> 2);
-            v = v < 127 ? v : 127;
-            out[r] = (int8_t)(v > -127 ? v : -127);
-        }
+    for (int r = 0; r < rows; r += LANES) {
+        lanes fresh = noise_at(from, r);
+        if (w->has_outer[r / LANES])
+            fresh += lanes_high(noise_at(from, r + to_outer) - fresh, lanes_at(w->outer + r)) * 2;
+        lanes v = (lanes_high(lanes_at(field + r), lanes_at(w->keep[state] + r)) + lanes_high(fresh, lanes_at(w->fresh[state] + r))) * 2;
+        lanes_put(field + r, v);
+        v = (lanes_high(lanes_high(v, lanes_at(w->spread + r)), lanes_of_bytes(amplitude + r)) + 2) >> 2;
+        lanes_put_bytes(out + r, lanes_within(v, -127, 127));
+    }
 }
 _Static_assert(NOISE_UNIT / FIELD_UNIT == 1 << 6 && SPREAD_UNIT == 1 << 14 && AMPLITUDE_UNIT == 1 << 6 && GRAIN_TAPS == 5,
                "as the loops above have it");
@@ -314,7 +290,7 @@ static void make_grain(grain *g, const line_figures *f, uint64_t key)
     const int16_t(*outer)[NOISE_LENGTH + NOISE_PAD] = t->noise[class_of(f->across + (double)t->outer_across)];
     chain c = chain_of(&g->pencil->profile->grain);
     grain_rows rows;
-    int16_t state[STRIDE_MAX] = {0}, fresh[STRIDE_MAX], beside[STRIDE_MAX];
+    int16_t state[STRIDE_MAX] = {0};
     size_t at[GRAIN_TAPS]; /* places in the noise, the oldest column's first */
     make_rows(g, f, &rows);
     for (int i = 1; i < GRAIN_TAPS; i++)
@@ -324,17 +300,15 @@ static void make_grain(grain *g, const line_figures *f, uint64_t key)
     for (int s = 0; s < g->columns; s++) {
         uint64_t bits = random_bits(key, (uint64_t)(s + GRAIN_TAPS - 1));
         int high = bits >> 32 < threshold;
+        const int16_t *from[GRAIN_TAPS];
         threshold = c.next[high];
         for (int i = 0; i + 1 < GRAIN_TAPS; i++)
             at[i] = at[i + 1];
         at[GRAIN_TAPS - 1] = bits & (NOISE_LENGTH - 1);
-        add_noise(inner, at, g->rows, fresh);
-        if (rows.has_outer && outer != inner) {
-            add_noise(outer, at, g->rows, beside);
-            blend(&rows, g->rows, beside, fresh);
-        }
-        join_column(&rows, s ? high : CHAIN_FIRST, state, fresh, t->amplitude[(column + (size_t)s) & (AMPLITUDE_LENGTH - 1)] + row, g->rows,
-                    g->field + (size_t)s * (size_t)g->stride);
+        for (int i = 0; i < GRAIN_TAPS; i++)
+            from[i] = inner[i] + at[i];
+        make_column(&rows, s ? high : CHAIN_FIRST, g->rows, from, outer[0] - inner[0],
+                    t->amplitude[(column + (size_t)s) & (AMPLITUDE_LENGTH - 1)] + row, state, g->field + (size_t)s * (size_t)g->stride);
     }
 }
 
