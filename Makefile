@@ -131,10 +131,11 @@ LIBS_tap_replay = $(shell pkg-config --libs cairo-script-interpreter 2>/dev/null
 # `make check` runs what takes minutes; TESTS= picks some.
 TESTS = $(c_tests:tests/%.c=$(O)/tests/%) $(wildcard tests/cli/*.sh tests/rules/*.sh tests/image/*.sh tests/stage/*.sh tests/fuzz/*.sh) $(filter-out tests/check.sh,$(wildcard tests/*.sh))
 
-.PHONY: check check-only
+.PHONY: check check-only tests
 check: packages-check
 	+$(Q)$(MAKE) --no-print-directory check-only
-check-only: all $(tests_bin) examples
+tests: all $(tests_bin) examples
+check-only: tests
 	$(Q)tests/run $(O) $(TESTS)
 
 # What takes longer than one likes to wait. LOAD=N: how many drawings are made while make is killed.

@@ -1,11 +1,16 @@
 # SPDX-License-Identifier: MIT
 # The same input, options and seed give the same bytes: twice, from a pipe, in another place, at another time, by
-# another compiler at another level of optimisation. And what is random in a line hangs on that line alone.
+# another compiler at another level of optimisation. And what is random in a line hangs on that line alone. LONG=1: more
+# drawings and options, more builds, and each build with every number of threads, locale and time zone.
 . "$ROOT/tests/check.sh"
 example a.svg
 cp "$ROOT/tests/image/program.eps" b.eps
 cp "$ROOT/tests/image/curves.svg" c.svg
 names="a.svg b.eps c.svg"
+if [ -n "${LONG:-}" ]; then
+    for name in solids gradients lettering dashes; do cp "$ROOT/tests/image/$name.svg" . && names="$names $name.svg"; done
+    cp "$ROOT/tests/stage/plan.dxf" . && names="$names plan.dxf"
+fi
 draw() { # DIRECTORY PROGRAM ARGS...: draws them all
     local into=$1 program=$2 name
     shift 2
@@ -21,7 +26,6 @@ if [ -e ref/failed ]; then fail "the drawings are drawn" "$(cat ref/failed)"; el
 draw twice "$PLUMBAGO" && alike "twice" twice
 mkdir piped && for name in $names; do "$PLUMBAGO" <$name >piped/${name%.*}.png 2>>"$TMP/err"; done
 alike "from standard input" piped
-(export LC_ALL=C.UTF-8 TZ=Pacific/Auckland LANGUAGE=de && draw zone "$PLUMBAGO") && alike "another locale and time zone" zone
 (export MALLOC_PERTURB_=165 && draw perturbed "$PLUMBAGO") && alike "memory filled with another byte" perturbed
 (ulimit -s 16384 2>/dev/null; export PADDING="$(printf 'x%.0s' {1..5000})" && draw stack "$PLUMBAGO") && alike "another stack and environment" stack
 mkdir -p far/away && cp $names far/away && (cd far/away && draw named "$PLUMBAGO") && alike "another directory" far/away/named
@@ -54,9 +58,48 @@ printf '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="30mm" viewB
 for name in twins double single; do "$PLUMBAGO" -d 254 -o $name.png $name.svg 2>>"$TMP/err"; done
 if tool png_compare double.png single.png >/dev/null; then ok "a line that a file holds twice is drawn once"; else fail "a line that a file holds twice is drawn once" "the pictures differ"; fi
 
-# ---- other builds ----
+# ---- threads, locales, time zones, builds ----
+# A locale with a decimal comma is made for the test where the system has none.
+locales=C.UTF-8
+if LC_ALL=de_DE.UTF-8 locale decimal_point 2>/dev/null | grep -q ,; then
+    locales="$locales de_DE.UTF-8"
+elif command -v localedef >/dev/null && mkdir locales && localedef -i de_DE -f UTF-8 "$PWD/locales/de_DE.UTF-8" 2>/dev/null; then
+    export LOCPATH=$PWD/locales
+    locales="$locales de_DE.UTF-8"
+else
+    skip "a decimal comma" "no localedef, or no source of de_DE (Debian: locales)"
+fi
+
+# matrix NAME PROGRAM ARGS...: 1, 2 and 8 threads, these locales, two time zones, against what one run made in the C locale
+matrix() {
+    local name=$1 threads locale zone
+    shift
+    for threads in 1 2 8; do
+        for locale in $locales; do
+            for zone in Pacific/Auckland America/St_Johns; do
+                rm -rf cell
+                (export LC_ALL=$locale LANGUAGE=de TZ=$zone && draw cell "$@" --threads $threads)
+                alike "$name, $threads threads, $locale, $zone" cell
+            done
+        done
+    done
+}
+matrix "this build" "$PLUMBAGO"
+
+# The library in a program that has set its locale: the programs never do.
+in_locale() { # LOCALE THREADS DIRECTORY: what it says is the decimal point
+    mkdir "$3" && (cd "$3" && LC_ALL=$1 "$BUILD_DIR/tests/tools/in_locale" "$BUILD_DIR" ../c.svg "$2" c.png c.pdf c.txt 2>>"$TMP/err")
+}
+is "the library in a program in the C locale" "$(in_locale C 1 host-C)" .
+same "it draws as the program does" host-C/c.png ref/c.png
+for locale in $locales; do
+    case $locale in de_*) point=, ;; *) point=. ;; esac
+    is "the library in a program in $locale" "$(in_locale $locale 2 host-$locale)" $point
+    alike "the library in a program in $locale draws the same" host-$locale host-C
+done
+
 case $BUILD_DIR in
-*/cover* | */tsan*) skip "other builds" "not from an instrumented build" ;;
+*/cover* | */asan* | */ubsan* | */tsan*) skip "other builds" "not from an instrumented build" ;;
 *)
     unset MAKEFLAGS MAKELEVEL MFLAGS BUILD CC CFLAGS SUFFIX
     build() { # NAME MAKE-VARIABLES...
@@ -64,16 +107,26 @@ case $BUILD_DIR in
         shift
         folder=build/release
         for word; do case $word in BUILD=*) folder=build/${word#BUILD=} ;; SUFFIX=*) folder=$folder${word#SUFFIX=} ;; esac; done
-        if ! make -s -C "$ROOT" -j2 "$@" "$folder/plumbago" "$folder/tap-svg" "$folder/tap-plain" >"$TMP/make" 2>&1; then
+        if ! make -s -C "$ROOT" -j2 "$@" "$folder/plumbago" "$folder/tap-svg" "$folder/tap-plain" "$folder/tap-dxf" >"$TMP/make" 2>&1; then
             fail "$name" "it does not build: $(grep -m 1 -E 'error|Error' "$TMP/make")"
-            return
+        elif [ -n "${LONG:-}" ]; then
+            matrix "$name" "$ROOT/$folder/plumbago"
+        else
+            rm -rf other && draw other "$ROOT/$folder/plumbago" && alike "$name" other
         fi
-        rm -rf other && draw other "$ROOT/$folder/plumbago" && alike "$name" other
     }
     build "gcc -O2" BUILD=release
     build "gcc -O0" BUILD=debug
     build "gcc -O3" BUILD=release SUFFIX=-O3 CFLAGS=-O3
-    case $(uname -m) in x86_64) build "gcc -O3 for this machine's own processor" BUILD=release SUFFIX=-native "CFLAGS=-O3 -march=native" ;; esac
-    if command -v clang >/dev/null; then build "clang -O2" BUILD=release SUFFIX=-clang CC=clang; else skip "clang" "no clang here"; fi
+    if command -v clang >/dev/null; then
+        build "clang -O2" BUILD=release SUFFIX=-clang CC=clang
+        [ -z "${LONG:-}" ] || build "clang -O0" BUILD=debug SUFFIX=-clang CC=clang
+        [ -z "${LONG:-}" ] || build "clang -O3" BUILD=release SUFFIX=-clang-O3 CC=clang CFLAGS=-O3
+    else
+        skip "clang" "no clang here"
+    fi
+    if [ -n "${LONG:-}" ] && [ "$(uname -m)" = x86_64 ]; then
+        build "gcc -O3 for this machine's own processor" BUILD=release SUFFIX=-native "CFLAGS=-O3 -march=native"
+    fi
     ;;
 esac
