@@ -80,8 +80,8 @@ $(O)/libplumbago.a: $(lib_obj) $(O)/pencils.o
 	$(say) AR $@
 	$(Q)rm -f $@ && $(AR) rcs $@ $^
 
-$(O)/plumbago: $(O)/tool/plumbago.o $(O)/tool/options.o $(O)/tool/pages.o $(O)/tool/naming.o $(O)/libplumbago.a
-$(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(O)/tool/options.o $(O)/libplumbago.a
+$(O)/plumbago: $(O)/tool/plumbago.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/tool/pages.o $(O)/tool/naming.o $(O)/libplumbago.a
+$(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/libplumbago.a
 $(O)/plumbago $(O)/plumbago-profile:
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_ALL) $^ $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@

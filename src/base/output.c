@@ -9,6 +9,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -56,11 +57,37 @@ static char *temporary_name(const char *folder, unsigned try)
 /* More tries than that would be a folder full of our own leftovers. */
 #define MOST_TRIES 1000
 
+static void forget(const char *name) { unlink(name); }
+
+/* While a temporary name is there and no keeper knows of it, no signal may end us. */
+static void hold_signals(sigset_t *before)
+{
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, before);
+}
+static void release_signals(const sigset_t *before)
+{
+    int reason = errno;
+    pthread_sigmask(SIG_SETMASK, before, NULL);
+    errno = reason;
+}
+
+static int open_kept(output *out)
+{
+    sigset_t before;
+    hold_signals(&before);
+    int fd = open(out->temporary, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    out->is_kept = fd >= 0 && plb_keeper_start(&out->keeper, forget, out->temporary);
+    release_signals(&before);
+    return fd;
+}
+
 static int open_named(output *out, const char *folder)
 {
     for (unsigned try = 0; try < MOST_TRIES; try++) {
         out->temporary = temporary_name(folder, try);
-        int fd = out->temporary ? open(out->temporary, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666) : -1;
+        int fd = out->temporary ? open_kept(out) : -1;
         if (fd >= 0)
             return fd;
         plb_free(out->temporary);
@@ -91,9 +118,9 @@ static bool open_beside(output *out, error *err)
     int fd = open_nameless(folder);
     if (fd < 0)
         fd = open_named(out, folder);
+    out->to = fd < 0 ? NULL : fdopen(fd, "wb");
     int reason = errno;
     plb_free(folder);
-    out->to = fd < 0 ? NULL : fdopen(fd, "wb");
     if (out->to)
         return true;
     if (fd >= 0)
@@ -153,26 +180,34 @@ static bool give_name(output *out)
     return out->temporary != NULL;
 }
 
+/* The name that it has meanwhile becomes the one that was asked for. */
+static bool rename_it(output *out)
+{
+    if (out->temporary && rename(out->temporary, out->name) != 0)
+        return false;
+    plb_free(out->temporary);
+    out->temporary = NULL;
+    return true;
+}
+
+static bool close_it(output *out)
+{
+    bool ok = fclose(out->to) == 0;
+    out->to = NULL;
+    return ok;
+}
+
 bool plb_output_commit(output *out, error *err)
 {
+    sigset_t before;
     bool ok = fflush(out->to) == 0 && !ferror(out->to);
+    hold_signals(&before);
+    ok = ok && (!out->name || out->temporary || give_name(out)) && close_it(out) && rename_it(out);
     int reason = errno;
-    if (ok && out->name && !out->temporary)
-        ok = give_name(out), reason = errno;
-    if (fclose(out->to) != 0 && ok)
-        ok = false, reason = errno;
-    out->to = NULL;
-    if (ok && out->temporary) {
-        ok = rename(out->temporary, out->name) == 0;
-        reason = errno;
-        if (ok) {
-            plb_free(out->temporary);
-            out->temporary = NULL;
-        }
-    }
     if (!ok)
         fail(err, plb_output_shown(out->asked), "cannot be written", reason);
     plb_output_discard(out);
+    release_signals(&before);
     return ok;
 }
 
@@ -182,6 +217,8 @@ void plb_output_discard(output *out)
         fclose(out->to);
     if (out->temporary)
         unlink(out->temporary);
+    if (out->is_kept)
+        plb_keeper_end(&out->keeper, false);
     plb_free(out->temporary);
     plb_free(out->name);
     memset(out, 0, sizeof *out);

@@ -1,13 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
  * A file that appears complete or not at all. It is written without a name where the file system can do that (so
- * that even a killed process leaves nothing behind), else under a temporary one beside its place, and gets its name
- * by link or rename when it is done. Standard output and things that are not regular files are written directly.
+ * that even a killed process leaves nothing behind), else under a temporary one beside its place, with a keeper who
+ * removes it when this process is killed, and gets its name by link or rename when it is done. Standard output and things that are not regular files are written directly.
  */
 #ifndef PLB_BASE_OUTPUT_H
 #define PLB_BASE_OUTPUT_H
 
 #include "base/error.h"
+#include "base/keeper.h"
 
 #include <stdio.h>
 
@@ -15,6 +16,8 @@ typedef struct {
     FILE *to;       /* write here */
     char *name;     /* where it will appear; NULL: written directly */
     char *temporary; /* its name meanwhile; NULL: none */
+    keeper keeper;   /* of the temporary name */
+    bool is_kept;
     const char *asked; /* as the caller wrote it, for messages */
 } output;
 

@@ -1,20 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * See scratch.h. The keeper is forked from a process that may have threads, so it calls nothing that takes a lock.
+ * See scratch.h. What the keeper calls takes no lock.
  */
-#define _GNU_SOURCE /* SYS_getdents64, pipe2 */
+#define _GNU_SOURCE /* SYS_getdents64 */
 #include "input/scratch.h"
 
 #include <errno.h>
 #include <fcntl.h>
-#include <signal.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
-#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -22,7 +20,7 @@
 
 extern char **environ;
 
-/* ---- the keeper ------------------------------------------------------------------------------------------- */
+/* ---- removing it ------------------------------------------------------------------------------------------- */
 
 /* The kernel's linux_dirent64. */
 typedef struct {
@@ -58,22 +56,6 @@ static void remove_folder(const char *path)
     }
 }
 
-static _Noreturn void keep(const char *folder, int wait_for)
-{
-    char byte;
-    setsid(); /* out of reach of Ctrl-C */
-    signal(SIGTERM, SIG_IGN);
-    signal(SIGHUP, SIG_IGN);
-    signal(SIGINT, SIG_IGN);
-    dup2(wait_for, 0); /* nothing of ours may stay open: others wait for its end */
-    if (syscall(SYS_close_range, 1u, ~0u, 0u) != 0)
-        for (int fd = 1; fd < 65536; fd++)
-            close(fd);
-    while (read(0, &byte, 1) < 0 && errno == EINTR) {}
-    remove_folder(folder);
-    _exit(0);
-}
-
 /* ---- the owner -------------------------------------------------------------------------------------------- */
 
 static const char *temporary_root(void)
@@ -92,22 +74,11 @@ static bool fail(error *err, const char *folder)
 bool plb_scratch_open(scratch *s, error *err)
 {
     const char *root = temporary_root();
-    int ends[2];
     snprintf(s->folder, sizeof s->folder, "%s/plumbago-XXXXXX", root);
-    if (pipe2(ends, O_CLOEXEC) != 0)
-        return fail(err, root);
     bool made = mkdtemp(s->folder) != NULL;
-    s->keeper = made ? fork() : -1;
-    if (s->keeper == 0) {
-        close(ends[1]);
-        keep(s->folder, ends[0]);
-    }
-    close(ends[0]);
-    s->pipe = ends[1];
-    if (s->keeper > 0)
+    if (made && plb_keeper_start(&s->keeper, remove_folder, s->folder))
         return true;
     fail(err, root);
-    close(ends[1]);
     if (made)
         rmdir(s->folder);
     return false;
@@ -115,6 +86,5 @@ bool plb_scratch_open(scratch *s, error *err)
 
 void plb_scratch_close(scratch *s)
 {
-    close(s->pipe);
-    while (waitpid(s->keeper, NULL, 0) < 0 && errno == EINTR) {}
+    plb_keeper_end(&s->keeper, true);
 }

@@ -7,15 +7,13 @@
 #define PLB_INPUT_SCRATCH_H
 
 #include "base/error.h"
-
-#include <sys/types.h>
+#include "base/keeper.h"
 
 #define SCRATCH_PATH_MAX 1024
 
 typedef struct {
     char folder[SCRATCH_PATH_MAX];
-    int pipe;       /* open as long as the folder is needed */
-    pid_t keeper;
+    keeper keeper;
 } scratch;
 
 /* Makes a folder that only this user may enter, below TMPDIR or /tmp. False and `err` when that fails; then there is

@@ -4,12 +4,16 @@
  */
 #include "tool/options.h"
 
+#include "tool/streams.h"
+
 #include <stdio.h>
 #include <string.h>
 
 static bool complain(const char *program, const char *what, const char *which, size_t length)
 {
-    fprintf(stderr, "%s: %s %.*s; try '%s --help'\n", program, what, (int)length, which, program);
+    fprintf(stderr, "%s: %s ", program, what);
+    streams_put(stderr, which, length);
+    fprintf(stderr, "; try '%s --help'\n", program);
     return false;
 }
 
@@ -33,7 +37,9 @@ static bool store(const char *program, const option *o, void *settings, const ch
 {
     if (o->set(settings, value))
         return true;
-    fprintf(stderr, "%s: wrong value for --%s: '%s'; it takes %s; try '%s --help'\n", program, o->name, value ? value : "", o->argument, program);
+    fprintf(stderr, "%s: wrong value for --%s: '", program, o->name);
+    streams_put(stderr, value ? value : "", value ? strlen(value) : 0);
+    fprintf(stderr, "'; it takes %s; try '%s --help'\n", o->argument, program);
     return false;
 }
 

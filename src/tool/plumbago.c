@@ -6,9 +6,8 @@
 #include "tool/naming.h"
 #include "tool/options.h"
 #include "tool/pages.h"
+#include "tool/streams.h"
 
-#include <errno.h>
-#include <fcntl.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -272,14 +271,7 @@ static void clear_progress(settings *s)
     s->progress_shown = false;
 }
 
-/* One line, whatever bytes a file name holds. */
-static void print_line(const char *kind, const char *text)
-{
-    fprintf(stderr, PROGRAM ": %s", kind);
-    for (; *text; text++)
-        fputc((unsigned char)*text < ' ' || *text == 127 ? '?' : *text, stderr);
-    fputc('\n', stderr);
-}
+static void print_line(const char *kind, const char *text) { streams_say(PROGRAM, kind, text); }
 
 static void on_message(void *closure, int level, const char *text)
 {
@@ -321,6 +313,12 @@ static int wrong(const char *what)
     snprintf(line, sizeof line, "%s; try '" PROGRAM " --help'", what);
     print_line("", line);
     return EXIT_WRONG_COMMAND;
+}
+
+static int no_memory(void)
+{
+    print_line("", "out of memory");
+    return EXIT_NOT_DRAWN;
 }
 
 /* ---- work ---- */
@@ -400,12 +398,20 @@ static char *result_name(const settings *s, const job *j, unsigned page)
     return name;
 }
 
+static void tell_drawn(const settings *s, const plb_drawing *d, const char *to)
+{
+    char text[1024];
+    snprintf(text, sizeof text, "%zu strokes on %.1f x %.1f mm with %s, seed %llu: %s", plb_drawing_strokes(d), plb_drawing_width(d),
+             plb_drawing_height(d), plb_profile_name(s->o.profile), (unsigned long long)s->o.seed, to);
+    print_line("", text);
+}
+
 static int draw(settings *s, const job *j, unsigned page)
 {
     plb_error e = {PLB_OK, ""};
     char *to = result_name(s, j, page);
     if (!to)
-        return wrong("out of memory");
+        return no_memory();
     if (is_same_file(to, j->input)) {
         free(to);
         return wrong("the result would replace the drawing: name another file with -o");
@@ -414,8 +420,7 @@ static int draw(settings *s, const job *j, unsigned page)
     plb_drawing *d = plb_file_draw(j->file, &s->o, &e);
     bool ok = d && write_result(s, d, to, &e);
     if (ok && s->verbose)
-        fprintf(stderr, PROGRAM ": %zu strokes on %.1f x %.1f mm with %s, seed %llu: %s\n", plb_drawing_strokes(d), plb_drawing_width(d),
-                plb_drawing_height(d), plb_profile_name(s->o.profile), (unsigned long long)s->o.seed, to);
+        tell_drawn(s, d, to);
     plb_drawing_free(d);
     free(to);
     return ok ? EXIT_DRAWN : fail(s, &e);
@@ -463,7 +468,10 @@ static int work(settings *s, job *j)
 static int run(settings *s, const char *input)
 {
     job j = {.input = input, .several = s->pages && !pages_is_one(s->pages)};
-    char *made = s->output || is_text(s) || !strcmp(input, "-") ? NULL : pages_name_output(input, j.several);
+    bool is_named = s->output || is_text(s) || !strcmp(input, "-");
+    char *made = is_named ? NULL : pages_name_output(input, j.several);
+    if (!is_named && !made)
+        return no_memory();
     j.to = s->output ? s->output : made ? made : "-";
     if (!strcmp(j.to, "-") && !is_text(s) && isatty(STDOUT_FILENO)) {
         free(made);
@@ -543,17 +551,10 @@ static int run_all(settings *s, char *const inputs[], int n)
     return worst;
 }
 
-/* Standard descriptors that are closed would be given to the files we open: to be on the safe side, fill them. */
-static void keep_standard_descriptors(void)
-{
-    for (int fd = 0; fd <= 2; fd++)
-        if (fcntl(fd, F_GETFD) < 0 && errno == EBADF && open("/dev/null", fd == 0 ? O_WRONLY : O_RDONLY) < 0)
-            _exit(EXIT_NOT_DRAWN);
-}
-
 int main(int argc, char **argv)
 {
-    keep_standard_descriptors();
+    if (!streams_keep())
+        return EXIT_NOT_DRAWN;
     signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error like others */
     signal(SIGCHLD, SIG_DFL); /* whoever started us may ignore it: we want to know how the helper ended */
     settings s = {.o = plb_options_default(), .pencil = "HB", .dump = -1};
@@ -571,9 +572,5 @@ int main(int argc, char **argv)
         return wrong("--scale goes neither with --width nor with --height");
     else
         return run_all(&s, operands ? argv : (char *[]){"-"}, operands ? operands : 1);
-    if (fflush(stdout) != 0 || ferror(stdout)) {
-        fprintf(stderr, PROGRAM ": standard output: cannot be written: %s\n", strerror(errno));
-        return EXIT_NOT_DRAWN;
-    }
-    return status;
+    return streams_flush(PROGRAM) ? status : EXIT_NOT_DRAWN;
 }

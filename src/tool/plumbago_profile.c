@@ -4,6 +4,7 @@
  */
 #include "api/plumbago.h"
 #include "tool/options.h"
+#include "tool/streams.h"
 
 #include <errno.h>
 #include <signal.h>
@@ -162,12 +163,12 @@ static void on_message(void *closure, int level, const char *text)
 {
     const settings *s = closure;
     if (level == 0 || s->verbose)
-        fprintf(stderr, PROGRAM ": %s%s\n", level == 0 ? "warning: " : "", text);
+        streams_say(PROGRAM, level == 0 ? "warning: " : "", text);
 }
 
 static int fail(const plb_error *e)
 {
-    fprintf(stderr, PROGRAM ": %s\n", e->text);
+    streams_say(PROGRAM, "", e->text);
     return EXIT_NOT_DONE;
 }
 
@@ -186,8 +187,11 @@ static char *read_text(const char *file)
     char *text = from ? calloc(MAX_PROVENANCE + 2, 1) : NULL;
     size_t n = text ? fread(text, 1, MAX_PROVENANCE + 1, from) : 0;
     bool good = text && !ferror(from) && n <= MAX_PROVENANCE && !memchr(text, '\0', n);
-    if (!good)
-        fprintf(stderr, PROGRAM ": %s: %s\n", file, n > 0 ? "not a text of at most 65536 bytes" : strerror(errno));
+    if (!good) {
+        char why[512];
+        snprintf(why, sizeof why, "%.400s: %s", file, n > 0 ? "not a text of at most 65536 bytes" : strerror(errno));
+        streams_say(PROGRAM, "", why);
+    }
     if (from)
         fclose(from);
     if (good)
@@ -277,6 +281,8 @@ static int run_command(settings *s, char **operands, int n)
 
 int main(int argc, char **argv)
 {
+    if (!streams_keep())
+        return EXIT_NOT_DONE;
     signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error like others */
     settings s = {.capture = plb_capture_options_default()};
     int operands, status = EXIT_DONE;
@@ -290,9 +296,5 @@ int main(int argc, char **argv)
         printf(PROGRAM " %s\n", plb_version());
     else
         status = run_command(&s, argv, operands);
-    if (status == EXIT_DONE && (fflush(stdout) != 0 || ferror(stdout))) {
-        fprintf(stderr, PROGRAM ": standard output: cannot be written: %s\n", strerror(errno));
-        return EXIT_NOT_DONE;
-    }
-    return status;
+    return status != EXIT_DONE || streams_flush(PROGRAM) ? status : EXIT_NOT_DONE;
 }

@@ -34,3 +34,36 @@ stop() {
 for signal in INT TERM HUP; do
     for after in .15 1; do stop $signal $after; done
 done
+
+# The same where a file cannot be without a name: one with a name is there while the picture is made, and goes with it.
+without="$BUILD_DIR/tests/tools/without_tmpfile"
+"$without" /bin/true
+if [ $? -eq 125 ]; then
+    skip "without O_TMPFILE" "this kernel cannot be told to refuse it"
+    exit
+fi
+# What has the name for temporary files, in this folder, waited for.
+temporary() { local n; for n in {1..100}; do [ -n "$(find . -name '.plumbago-*')" ] && return; sleep .1; done; false; }
+gone() { local n; for n in {1..50}; do [ -z "$(find . -name '.plumbago-*')" ] && return; sleep .1; done; false; }
+for signal in INT TERM HUP KILL; do
+    echo keep >long.png
+    env --default-signal=INT,TERM,HUP "$without" "$PLUMBAGO" -d 300 long.svg 2>"$TMP/err" &
+    pid=$!
+    if temporary; then ok "without O_TMPFILE, $signal: a temporary file is there"; else fail "without O_TMPFILE, $signal: a temporary file is there" "it never came"; fi
+    kill -s $signal $pid
+    wait $pid
+    is "without O_TMPFILE, $signal: the status says so" $? $((128 + $(kill -l $signal)))
+    if gone; then ok "without O_TMPFILE, $signal: nothing is left"; else fail "without O_TMPFILE, $signal: nothing is left" "$(listing | tr '\n' ' ')"; fi
+    is "without O_TMPFILE, $signal: the output is as it was" "$(head -c 5 long.png)" keep
+done
+example a.svg
+"$PLUMBAGO" -o with.png a.svg 2>"$TMP/err"
+for n in 1 2; do
+    "$without" "$PLUMBAGO" -o without.png a.svg 2>"$TMP/err"
+    is "without O_TMPFILE: drawn, $n" $? 0
+    same "without O_TMPFILE: the same picture, $n" without.png with.png
+done
+echo keep >without.png
+"$without" "$PLUMBAGO" -d 10 --dump=strokes -o without.png a.svg 2>"$TMP/err"
+is "without O_TMPFILE: a dump" "$? $(head -c 9 without.png)" "0 $("$PLUMBAGO" --dump=strokes a.svg | head -c 9)"
+is "without O_TMPFILE: nothing is left" "$(find . -name '.plumbago-*')" ""

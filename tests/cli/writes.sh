@@ -18,11 +18,13 @@ places() {
 limited() {
     local name=$1 output=$2 n bad='' tried=0
     shift 2
+    local runs=$PLUMBAGO
+    [ "$1" = without ] && runs="$BUILD_DIR/tests/tools/without_tmpfile $PLUMBAGO" && shift
     "$PLUMBAGO" -q "$@" -o "$output" a.svg || { fail "$name" "it fails without a limit" && return; }
     mv "$output" whole
     for n in $(places whole); do
         echo keep >"$output"
-        prlimit --fsize=$n "$PLUMBAGO" -q "$@" -o "$output" a.svg 2>&1 >"$TMP/out" | cat >"$TMP/err" # the limit holds for the messages' file too, but not for a pipe
+        prlimit --fsize=$n $runs -q "$@" -o "$output" a.svg 2>&1 >"$TMP/out" | cat >"$TMP/err" # the limit holds for the messages' file too, but not for a pipe
         local code=${PIPESTATUS[0]}
         tried=$((tried + 1))
         [ $code -eq 1 ] && [ "$(cat "$output")" = keep ] && [ "$(listing | wc -l)" -eq 3 ] && grep -q "^plumbago: .*$output: " "$TMP/err" && continue
@@ -34,6 +36,7 @@ limited() {
 limited "a PNG" x.png -d 30
 limited "a PDF" x.pdf -d 30
 limited "a dump" x.txt --dump=strokes
+"$BUILD_DIR/tests/tools/without_tmpfile" /bin/true && limited "a PNG where no file can be without a name" x.png without -d 30
 
 # the same on standard output, which has no name to keep
 bad=
