@@ -52,21 +52,24 @@ void plb_file_free(plb_file *f)
     plb_free(f);
 }
 
-static input_source source_of(const plb_file *f, const plb_options *o, const api_adaptor *adaptor)
+/* `spent`: 0, lives as long as the source. */
+static input_source source_of(const plb_file *f, const plb_options *o, const api_adaptor *adaptor, double *spent)
 {
     return (input_source){.name = f->name, .data = f->data, .size = f->size, .helper_dir = o->helper_dir,
                           .say = plb_api_messenger(adaptor), .page = o->page,
-                          .limits = {.seconds = o->limit_time, .memory = (size_t)o->limit_memory << 20}};
+                          .limits = {.seconds = o->limit_time, .spent = spent, .memory = (size_t)o->limit_memory << 20}};
 }
 
 unsigned plb_file_pages(const plb_file *f, const plb_options *o, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
     unsigned pages = 0;
-    api_adaptor adaptor = {o->message, o->closure};
-    input_source in = source_of(f, o, &adaptor);
-    if (!plb_api_check(o, &err) || !plb_input_count_pages(&in, &pages, &err))
-        pages = 0;
+    double spent = 0;
+    if (plb_api_check(o, &err)) {
+        api_adaptor adaptor = {o->message, o->closure};
+        input_source in = source_of(f, o, &adaptor, &spent);
+        pages = plb_input_count_pages(&in, &pages, &err) ? pages : 0;
+    }
     plb_api_finish(&err, failed);
     return pages;
 }
@@ -74,9 +77,13 @@ unsigned plb_file_pages(const plb_file *f, const plb_options *o, plb_error *fail
 plb_drawing *plb_file_draw(const plb_file *f, const plb_options *o, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
-    api_adaptor adaptor = {o->message, o->closure};
-    input_source in = source_of(f, o, &adaptor);
-    plb_drawing *d = plb_api_check(o, &err) ? plb_api_draw(&in, o, &err) : NULL;
+    double spent = 0;
+    plb_drawing *d = NULL;
+    if (plb_api_check(o, &err)) {
+        api_adaptor adaptor = {o->message, o->closure};
+        input_source in = source_of(f, o, &adaptor, &spent);
+        d = plb_api_draw(&in, o, &err);
+    }
     plb_api_finish(&err, failed);
     return d;
 }

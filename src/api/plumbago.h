@@ -156,8 +156,8 @@ typedef struct {
     int compress;               /* how small files are made: 0, not, to 9; default 1 */
     unsigned page;              /* which page of a file with several, from 1; 0, the default: the first, and a warning when
                                    there are others */
-    double limit_time;          /* processor time of each program that reads foreign formats, s; default 8, 1 to 1e6 */
-    double limit_memory;        /* and its memory, MiB; default 1024, 64 to 1e6 */
+    double limit_time;          /* processor time of the programs that read foreign formats, all for one drawing, s; default 8, 1 to 1e6 */
+    double limit_memory;        /* memory of each, MiB; default 1024, 64 to 1e6 */
     const char *helper_dir;     /* where the helper program tap-svg lies; NULL: beside the program, else the installed place */
     plb_message_function message; /* NULL: silence */
     void (*progress)(void *closure, double done); /* told 0 to 1 now and then; may be NULL */

@@ -12,46 +12,59 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-static _Noreturn void keep(void (*clean)(const char *path), const char *path, int line)
+/* False: the line is broken. */
+static bool receive(int line, void *data, size_t size)
+{
+    ssize_t n;
+    while ((n = read(line, data, size)) < 0 && errno == EINTR) {}
+    return n == (ssize_t)size;
+}
+
+static _Noreturn void keep(const keeper_task *task, const char *path, int line)
 {
     char byte;
-    ssize_t n;
     setsid(); /* out of reach of Ctrl-C */
     signal(SIGTERM, SIG_IGN);
     signal(SIGHUP, SIG_IGN);
     signal(SIGINT, SIG_IGN);
+    signal(SIGPIPE, SIG_IGN);
     dup2(line, 0); /* nothing of ours may stay open: others wait for its end */
     if (syscall(SYS_close_range, 1u, ~0u, 0u) != 0)
         for (int fd = 1; fd < 65536; fd++)
             close(fd);
-    while ((n = read(0, &byte, 1)) < 0 && errno == EINTR) {}
-    if (n <= 0)
-        clean(path);
+    int reason = task->make(path) ? 0 : errno;
+    bool is_heard = write(0, &reason, sizeof reason) == sizeof reason;
+    if (reason == 0 && (!is_heard || !receive(0, &byte, 1)))
+        task->remove(path);
     _exit(0);
 }
 
-bool plb_keeper_start(keeper *k, void (*clean)(const char *path), const char *path)
+bool plb_keeper_start(keeper *k, const keeper_task *task, const char *path)
 {
     int ends[2];
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends) != 0)
         return false;
+    k->line = ends[1];
     k->pid = fork();
-    if (k->pid == 0) {
-        close(ends[1]);
-        keep(clean, path, ends[0]);
-    }
+    if (k->pid == 0)
+        keep(task, path, ends[0]);
     int reason = errno;
     close(ends[0]);
-    k->line = ends[1];
-    if (k->pid < 0)
-        close(ends[1]);
+    if (k->pid > 0 && !receive(k->line, &reason, sizeof reason))
+        reason = ECHILD;
+    if (k->pid > 0 && reason == 0)
+        return true;
+    if (k->pid > 0)
+        plb_keeper_end(k, true);
+    else
+        close(k->line);
     errno = reason;
-    return k->pid > 0;
+    return false;
 }
 
-void plb_keeper_end(keeper *k, bool must_clean)
+void plb_keeper_end(keeper *k, bool must_remove)
 {
-    if (!must_clean)
+    if (!must_remove)
         send(k->line, "", 1, MSG_NOSIGNAL);
     close(k->line);
     while (waitpid(k->pid, NULL, 0) < 0 && errno == EINTR) {}

@@ -13,10 +13,17 @@ typedef struct {
     pid_t pid;
 } keeper;
 
-/* Starts a keeper, which calls clean(path) when this process has gone. It is forked from a process that may have
- * threads, so `clean` may call nothing that takes a lock. False and errno when it cannot be started. */
-bool plb_keeper_start(keeper *k, void (*clean)(const char *path), const char *path);
-/* Ends it and waits for that; with `must_clean` it cleans up before. */
-void plb_keeper_end(keeper *k, bool must_clean);
+/* What is kept: a file or a folder of some name. Both are called in a process that is forked from one that may have threads,
+ * so they may call nothing that takes a lock. */
+typedef struct {
+    bool (*make)(const char *path); /* false and errno when it cannot be made */
+    void (*remove)(const char *path);
+} keeper_task;
+
+/* Starts a keeper, which makes the thing and removes it when this process has gone: at no time is it there without a keeper.
+ * False and errno when it cannot be made; then there is no keeper. `path` may change afterwards. */
+bool plb_keeper_start(keeper *k, const keeper_task *task, const char *path);
+/* Ends it and waits for that; with `must_remove` the thing is removed before. */
+void plb_keeper_end(keeper *k, bool must_remove);
 
 #endif

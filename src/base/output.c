@@ -9,6 +9,7 @@
 
 #include <errno.h>
 #include <fcntl.h>
+#include <limits.h>
 #include <signal.h>
 #include <stdlib.h>
 #include <string.h>
@@ -46,6 +47,28 @@ static char *folder_of(const char *name)
     return folder;
 }
 
+#define MOST_LINKS 40 /* one after the other; as the kernel */
+
+/* What `file` is the name of, through links, also when that is not there yet. NULL and errno on failure. The caller frees. */
+static char *follow(const char *file)
+{
+    char *name = join(file, "");
+    for (int i = 0; name && i < MOST_LINKS; i++) {
+        char target[PATH_MAX];
+        ssize_t n = readlink(name, target, sizeof target - 1);
+        if (n < 0)
+            return name;
+        target[n] = '\0';
+        char *folder = target[0] == '/' ? join("", "") : folder_of(name), *next = folder ? join(folder, target) : NULL;
+        plb_free(folder);
+        plb_free(name);
+        name = next;
+    }
+    errno = name ? ELOOP : ENOMEM;
+    plb_free(name);
+    return NULL;
+}
+
 /* The folder's try-th temporary name of this process. The caller frees. */
 static char *temporary_name(const char *folder, unsigned try)
 {
@@ -57,29 +80,26 @@ static char *temporary_name(const char *folder, unsigned try)
 /* More tries than that would be a folder full of our own leftovers. */
 #define MOST_TRIES 1000
 
-static void forget(const char *name) { unlink(name); }
-
-/* While a temporary name is there and no keeper knows of it, no signal may end us. */
-static void hold_signals(sigset_t *before)
+static bool make_file(const char *name)
 {
-    sigset_t all;
-    sigfillset(&all);
-    pthread_sigmask(SIG_BLOCK, &all, before);
+    int fd = open(name, O_CREAT | O_EXCL | O_WRONLY, 0666);
+    return fd >= 0 && close(fd) == 0;
 }
-static void release_signals(const sigset_t *before)
-{
-    int reason = errno;
-    pthread_sigmask(SIG_SETMASK, before, NULL);
-    errno = reason;
-}
+static void remove_file(const char *name) { unlink(name); }
 
+/* A keeper makes it, we write into it. */
 static int open_kept(output *out)
 {
-    sigset_t before;
-    hold_signals(&before);
-    int fd = open(out->temporary, O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-    out->is_kept = fd >= 0 && plb_keeper_start(&out->keeper, forget, out->temporary);
-    release_signals(&before);
+    static const keeper_task task = {make_file, remove_file};
+    out->is_kept = plb_keeper_start(&out->keeper, &task, out->temporary);
+    if (!out->is_kept)
+        return -1;
+    int fd = open(out->temporary, O_WRONLY | O_NOFOLLOW | O_CLOEXEC), reason = errno;
+    if (fd < 0) {
+        plb_keeper_end(&out->keeper, true);
+        out->is_kept = false;
+        errno = reason;
+    }
     return fd;
 }
 
@@ -150,9 +170,9 @@ bool plb_output_open(output *out, const char *file, error *err)
         return open_direct(out, err);
     if (there && S_ISDIR(st.st_mode))
         return fail(err, file, "cannot be written", EISDIR);
-    out->name = there ? realpath(file, NULL) : join(file, ""); /* through a link: onto what it names */
+    out->name = follow(file);
     if (!out->name)
-        return plb_fail_memory(err);
+        return errno == ENOMEM ? plb_fail_memory(err) : fail(err, file, "cannot be written", errno);
     if (open_beside(out, err))
         return true;
     plb_output_discard(out);
@@ -197,6 +217,14 @@ static bool close_it(output *out)
     return ok;
 }
 
+/* Between link and rename no signal may end us: the name in between has no keeper. */
+static void hold_signals(sigset_t *before)
+{
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, before);
+}
+
 bool plb_output_commit(output *out, error *err)
 {
     sigset_t before;
@@ -207,7 +235,7 @@ bool plb_output_commit(output *out, error *err)
     if (!ok)
         fail(err, plb_output_shown(out->asked), "cannot be written", reason);
     plb_output_discard(out);
-    release_signals(&before);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
     return ok;
 }
 

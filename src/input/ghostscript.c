@@ -12,9 +12,11 @@
 
 #include <math.h>
 #include <stdio.h>
+#include <string.h>
 
 #define PROGRAM "gs"
 #define WHO "Ghostscript"
+#define DISK_IS_FULL "/ioerror" /* in its message; it reads no file but ours and writes none but temporary ones */
 #define MM_PER_POINT (MM_PER_INCH / 72)
 
 bool plb_ghostscript_is_there(void)
@@ -62,11 +64,15 @@ static bool make_pdf(const input_source *in, const gs_page *page, reader_bytes *
     set_arguments(&a, page);
     input_source with_folder = *in;
     with_folder.limits.scratch = temporary.folder;
-    bool ok = plb_reader_run(&with_folder, WHO, program, a.argv, &p, pdf, err);
+    bool ok = plb_reader_run(&with_folder, WHO, program, a.argv, &p, pdf, &why);
     plb_scratch_close(&temporary);
-    if (ok && (p.code != 0 || !pdf->n))
-        return plb_fail(err, ERROR_UNSUPPORTED, "%s: Ghostscript: %.200s", in->name, plb_reader_message(&p));
-    return ok;
+    if (!ok)
+        return plb_fail(err, p.pid < 0 ? ERROR_FILE : why.kind, "%s", why.text);
+    if (p.code != 0 || !pdf->n) {
+        const char *text = plb_reader_message(&p);
+        return plb_fail(err, strstr(text, DISK_IS_FULL) ? ERROR_FILE : ERROR_UNSUPPORTED, "%s: Ghostscript: %.200s", in->name, text);
+    }
+    return true;
 }
 
 static input_source as_pdf(const input_source *in, const reader_bytes *pdf)

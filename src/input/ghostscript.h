@@ -15,7 +15,8 @@ typedef struct {
 
 bool plb_ghostscript_is_there(void);
 
-/* Reads `in`, a program without headers, onto `list`, whose page becomes page->area. */
+/* Reads `in`, a program without headers, onto `list`, whose page becomes page->area. ERROR_FILE: it could not be run, for
+ * want of temporary files, descriptors or processes. */
 bool plb_read_by_ghostscript(const input_source *in, const gs_page *page, display_list *list, error *err);
 bool plb_count_pages_by_ghostscript(const input_source *in, const gs_page *page, unsigned *pages, error *err);
 

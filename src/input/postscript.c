@@ -174,26 +174,42 @@ static bool draw_by_ghostscript(ps *p, const gs_page *page, error *err)
     return true;
 }
 
-/* Our reader drew the page but for its text or shades: Ghostscript knows fonts. */
-static void improve(ps *p, const gs_page *page)
+/* What a user can do about text and shades that Ghostscript did not draw. */
+static const char *advice_on(const error *why)
+{
+    if (!plb_ghostscript_is_there())
+        return "fonts and shadings need Ghostscript (Debian: ghostscript), which is not installed";
+    if (why->kind == ERROR_LIMIT)
+        return "fonts and shadings need Ghostscript, which needs more time or memory than it may have";
+    return "fonts and shadings need Ghostscript, which fails on this file";
+}
+
+/* The next run, with more memory or disk, would draw more: better to fail than to make another picture. */
+static bool is_passing(const error *why) { return why->kind == ERROR_MEMORY || why->kind == ERROR_FILE; }
+
+/* Our reader drew the page but for its text or shades: Ghostscript knows fonts. False: Ghostscript
+ * could not be run. */
+static bool improve(ps *p, const gs_page *page)
 {
     error why = {0};
     losses ours = p->list->losses;
     const messenger *say = &p->in->say;
     if (!ours.n[LOSS_TEXT] && !ours.n[LOSS_SHADING])
-        return;
+        return true;
     if (plb_ghostscript_is_there() && draw_by_ghostscript(p, page, &why)) {
         losses *theirs = &p->list->losses; /* there letters made of pixels count as images and masks */
         theirs->n[LOSS_IMAGE] = ours.n[LOSS_IMAGE];
         theirs->n[LOSS_PIXEL_TEXT] = ours.n[LOSS_PIXEL_TEXT];
         theirs->n[LOSS_MASK] = theirs->n[LOSS_FILTER] = 0;
         plb_say(say, MESSAGE_DETAIL, "%s: read by Ghostscript, for its text or shades", p->in->name);
-        return;
+        return true;
     }
+    if (is_passing(&why))
+        return plb_fail(&p->err, why.kind, "%s", why.text);
     if (why.kind)
         plb_say(say, MESSAGE_DETAIL, "%s", why.text);
-    p->list->losses.advice = plb_ghostscript_is_there() ? "fonts and shadings need Ghostscript, which fails on this file"
-                                                        : "fonts and shadings need Ghostscript (Debian: ghostscript), which is not installed";
+    p->list->losses.advice = advice_on(&why);
+    return true;
 }
 
 /* Our reader failed. True: Ghostscript did not. */
@@ -209,7 +225,10 @@ static bool rescue(ps *p, const ps_dsc *dsc)
     }
     gs_page page = page_of(p, dsc, false);
     if (!draw_by_ghostscript(p, &page, &why)) {
-        plb_say(&p->in->say, MESSAGE_DETAIL, "%s", why.text);
+        if (is_passing(&why))
+            p->err = why;
+        else
+            plb_say(&p->in->say, MESSAGE_DETAIL, "%s", why.text);
         return false;
     }
     plb_say(&p->in->say, MESSAGE_DETAIL, "%s; read by Ghostscript", p->err.text);
@@ -242,7 +261,8 @@ static bool read_program(ps *p, const char *program, size_t length)
         return plb_fail(&p->err, ERROR_ARGUMENT, "%s: it has no page %u, only %u", p->in->name, p->page_wanted, p->page ? p->page : 1);
     gs_page page = page_of(p, &dsc, true);
     place_on_page(p, page.area);
-    improve(p, &page);
+    if (!improve(p, &page))
+        return false;
     remark(p, &dsc);
     return true;
 }

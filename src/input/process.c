@@ -2,6 +2,7 @@
  *
  * Running a helper process: fork, limits, three pipes, one poll loop.
  */
+#define _DEFAULT_SOURCE /* wait4 */
 #include "input/process.h"
 
 #include "base/array.h"
@@ -39,6 +40,7 @@ typedef struct {
     int in, out, err;
     int last_descriptor;
     process_limits limits;
+    double seconds; /* what is left of limits.seconds */
     cage cage;
     const char *program;
     const char *const *argv;
@@ -100,7 +102,7 @@ static _Noreturn void be_child(const child_plan *plan)
     sigprocmask(SIG_SETMASK, &none, NULL);
     signal(SIGPIPE, SIG_DFL);
     signal(SIGXFSZ, SIG_IGN); /* a font cache that cannot be written is no reason to die */
-    rlim_t seconds = (rlim_t)ceil(plan->limits.seconds);
+    rlim_t seconds = (rlim_t)ceil(plan->seconds);
     limit(RLIMIT_CPU, seconds, seconds + 1);
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_NOFILE, 256, 256);
@@ -186,6 +188,7 @@ bool plb_process_start(process *p, const char *program, const char *const argv[]
         return false;
     }
     child_plan plan = {.in = ends[1], .out = ends[3], .err = ends[5], .limits = p->limits, .program = program, .argv = argv};
+    plan.seconds = fmax(p->limits.seconds - (p->limits.spent ? *p->limits.spent : 0), 1);
     plan.last_descriptor = highest_descriptor();
     plan_environment(&plan);
     plb_cage_plan(&plan.cage, program, p->limits.scratch, plan.environment);
@@ -308,24 +311,23 @@ static void drain_message(process *p)
     }
 }
 
+static double seconds(struct timeval t) { return (double)t.tv_sec + 1e-6 * (double)t.tv_usec; }
+
 /* Reaps the child, patiently for a second (it has closed its output), then by force. */
 static int reap(process *p)
 {
     int status = 0;
+    struct rusage use = {0};
     double end = now() + 1;
-    for (;;) {
-        pid_t r = waitpid(p->pid, &status, WNOHANG);
-        if (r == p->pid)
-            return status;
-        if (r < 0 && errno != EINTR)
-            return 0;
+    pid_t r;
+    while ((r = wait4(p->pid, &status, WNOHANG, &use)) == 0 || (r < 0 && errno == EINTR)) {
         if (now() > end)
-            break;
+            kill(p->pid, SIGKILL);
         poll(NULL, 0, 1);
     }
-    kill(p->pid, SIGKILL);
-    while (waitpid(p->pid, &status, 0) < 0 && errno == EINTR) {}
-    return status;
+    if (r == p->pid && p->limits.spent)
+        *p->limits.spent += seconds(use.ru_utime) + seconds(use.ru_stime);
+    return r == p->pid ? status : 0;
 }
 
 void plb_process_finish(process *p)

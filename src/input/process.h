@@ -16,6 +16,8 @@
 typedef struct {
     double seconds; /* of processor time; by the clock three times as many in silence (neither bytes taken nor given), ten
                        times as many in all */
+    double *spent;  /* processor time that other processes for the same drawing have taken out of `seconds`; this one's is
+                       added. Each gets a second, whatever is left. NULL: it has all for itself */
     size_t memory;  /* bytes of address space */
     const char *scratch; /* a folder in which it may write files, of PROCESS_SCRATCH_BYTES each; NULL: it writes nowhere */
     bool loose;          /* no cage, only limits; for our tests' own programs */

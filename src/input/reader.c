@@ -6,9 +6,11 @@
 
 #include <string.h>
 
+#define CANNOT_START 127 /* a program's exit status when its libraries cannot be loaded */
+
 static bool ran_out_of_memory(const process *p)
 {
-    static const char *const words[] = {"memory allocation of", "failed to allocate", "ut of memory", "VMerror", NULL};
+    static const char *const words[] = {"memory allocation of", "failed to allocate", "ut of memory", "VMerror", "failed to map segment", NULL};
     for (int i = 0; words[i]; i++)
         if (strstr(p->message, words[i]))
             return true;
@@ -19,7 +21,7 @@ bool plb_reader_ended_by_itself(const input_source *in, const char *who, const p
 {
     if (p->end == PROCESS_TIMED_OUT)
         return plb_fail(err, ERROR_LIMIT, "%s: %s needs more than %g seconds for this drawing", in->name, who, p->limits.seconds);
-    if (p->end == PROCESS_CRASHED && ran_out_of_memory(p))
+    if ((p->end == PROCESS_CRASHED || p->code == CANNOT_START) && ran_out_of_memory(p))
         return plb_fail(err, ERROR_LIMIT, "%s: %s needs more than %zu MB for this drawing", in->name, who, p->limits.memory >> 20);
     if (p->end == PROCESS_CRASHED)
         return plb_fail(err, ERROR_HELPER, "%s: %s dies on this drawing (signal %d)", in->name, who, p->code);

@@ -9,13 +9,14 @@
 #include <fcntl.h>
 #include <stdint.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
+#include <sys/random.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
 #include <time.h>
 #include <unistd.h>
 
+#define NAMES 100  /* that are taken, before we give up */
 #define TRIES 1000 /* to remove the folder, 10 ms apart: who writes in it is being killed */
 
 extern char **environ;
@@ -68,20 +69,36 @@ static const char *temporary_root(void)
 
 static bool fail(error *err, const char *folder)
 {
-    return plb_fail(err, ERROR_HELPER, "cannot make a temporary folder in %.200s: %s", folder, strerror(errno));
+    return plb_fail(err, ERROR_FILE, "cannot make a temporary folder in %.200s: %s", folder, strerror(errno));
+}
+
+static bool make_folder(const char *path) { return mkdir(path, 0700) == 0; }
+
+/* A name that nobody has or guesses. */
+static void choose_name(char name[SCRATCH_PATH_MAX], const char *root, unsigned try)
+{
+    static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789__";
+    unsigned char random[10] = {(unsigned char)try};
+    if (getrandom(random, sizeof random, GRND_NONBLOCK) != (ssize_t)sizeof random)
+        memcpy(random + 1, &(pid_t){getpid()}, sizeof(pid_t));
+    char text[sizeof random + 1] = "";
+    for (size_t i = 0; i < sizeof random; i++)
+        text[i] = letters[random[i] % 64];
+    snprintf(name, SCRATCH_PATH_MAX, "%s/plumbago-%s", root, text);
 }
 
 bool plb_scratch_open(scratch *s, error *err)
 {
+    static const keeper_task task = {make_folder, remove_folder};
     const char *root = temporary_root();
-    snprintf(s->folder, sizeof s->folder, "%s/plumbago-XXXXXX", root);
-    bool made = mkdtemp(s->folder) != NULL;
-    if (made && plb_keeper_start(&s->keeper, remove_folder, s->folder))
-        return true;
-    fail(err, root);
-    if (made)
-        rmdir(s->folder);
-    return false;
+    for (unsigned try = 0; try < NAMES; try++) {
+        choose_name(s->folder, root, try);
+        if (plb_keeper_start(&s->keeper, &task, s->folder))
+            return true;
+        if (errno != EEXIST)
+            break;
+    }
+    return fail(err, root);
 }
 
 void plb_scratch_close(scratch *s)

@@ -43,7 +43,9 @@ try:
     from ezdxf.render import hatching
     from ezdxf.tools import fonts
     from ezdxf.tools.fonts import AbstractFont, FontMeasurements
-except ImportError:
+except (ImportError, MemoryError, OSError) as e:
+    if isinstance(e, MemoryError) or "map segment" in str(e):
+        quit_with(EXIT_LIMIT, "the drawing needs too much memory")
     quit_with(EXIT_MISSING, "reading DXF needs the package python3-ezdxf")
 
 # The preferred scales of ISO 5455, and the ones beyond its ends made in the same way.

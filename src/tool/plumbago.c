@@ -210,7 +210,7 @@ static bool set_help(void *p, const char *v) { return (void)v, ((settings *)p)->
 static const option table[] = {
     {0, NULL, NULL, "Input", NULL},
     {0, "page", "N|N-M|all", "which pages of a PDF or PostScript file, also a list [1]", set_page},
-    {0, "limit-time", "SECONDS", "processor time of each program that reads for us [8]", set_limit_time},
+    {0, "limit-time", "SECONDS", "processor time of the programs that read a drawing for us [8]", set_limit_time},
     {0, "limit-memory", "MIB", "memory of each program that reads for us [1024]", set_limit_memory},
     {0, NULL, NULL, "Output", NULL},
     {'o', "output", "FILE", "PNG or .pdf, '-': standard output; %s: drawing, %d: page [FILE.png]", set_output},
@@ -371,11 +371,16 @@ static bool write_result(const settings *s, const plb_drawing *d, const char *to
     return (ends_with(to, ".pdf") ? plb_drawing_write_pdf : plb_drawing_write_png)(d, to, &s->o, e);
 }
 
-static bool is_same_file(const char *a, const char *b)
+static bool look_at(const char *name, int stream, struct stat *st)
+{
+    return (strcmp(name, "-") ? stat(name, st) : fstat(stream, st)) == 0 && S_ISREG(st->st_mode);
+}
+
+/* By whatever names; also when the shell has opened one of them. */
+static bool is_same_file(const char *to, const char *from)
 {
     struct stat x, y;
-    return strcmp(a, "-") && strcmp(b, "-") && stat(a, &x) == 0 && stat(b, &y) == 0 && S_ISREG(x.st_mode) && x.st_dev == y.st_dev &&
-           x.st_ino == y.st_ino;
+    return look_at(to, STDOUT_FILENO, &x) && look_at(from, STDIN_FILENO, &y) && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
 
 static bool is_text(const settings *s) { return s->dump == PLB_DUMP_LIST || s->dump == PLB_DUMP_STROKES; }

@@ -43,11 +43,12 @@ if [ $? -eq 125 ]; then
     exit
 fi
 # What has the name for temporary files, in this folder, waited for.
-temporary() { local n; for n in {1..100}; do [ -n "$(find . -name '.plumbago-*')" ] && return; sleep .1; done; false; }
-gone() { local n; for n in {1..50}; do [ -z "$(find . -name '.plumbago-*')" ] && return; sleep .1; done; false; }
+temporary() { local n; for n in {1..600}; do [ -n "$(find . -name '.plumbago-*')" ] && return; kill -0 $pid 2>/dev/null || break; sleep .1; done; false; }
+gone() { local n; for n in {1..100}; do [ -z "$(find . -name '.plumbago-*')" ] && return; sleep .1; done; false; }
+sed -i '2000,19999d' long.svg
 for signal in INT TERM HUP KILL; do
     echo keep >long.png
-    env --default-signal=INT,TERM,HUP "$without" "$PLUMBAGO" -d 300 long.svg 2>"$TMP/err" &
+    env --default-signal=INT,TERM,HUP "$without" "$PLUMBAGO" -d 1200 long.svg 2>"$TMP/err" &
     pid=$!
     if temporary; then ok "without O_TMPFILE, $signal: a temporary file is there"; else fail "without O_TMPFILE, $signal: a temporary file is there" "it never came"; fi
     kill -s $signal $pid

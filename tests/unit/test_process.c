@@ -240,6 +240,24 @@ static void the_clock_counts(void)
     CHECK(no_child_left());
 }
 
+static void time_is_shared(void)
+{
+    process p;
+    const char script[] = "while :; do :; done";
+    double spent = 6.5;
+    process_limits shared = loose;
+    shared.seconds = 7;
+    shared.spent = &spent;
+    const char *argv[] = {shell, option, script, NULL}, *data;
+    error err = {0};
+    size_t n;
+    CHECK(plb_process_start(&p, "/bin/sh", argv, "", 0, &shared, &err));
+    while (plb_process_read(&p, &data, &n)) {}
+    plb_process_finish(&p);
+    CHECK(p.end == PROCESS_TIMED_OUT);
+    CHECK_RANGE(spent, 7.3, 9); /* a second is left for it, whatever was spent */
+}
+
 static void memory_is_limited(void)
 {
     process p;
@@ -289,6 +307,7 @@ int main(void)
     RUN(the_cage_holds);
     RUN(scratch_is_the_only_place);
     RUN(the_clock_counts);
+    RUN(time_is_shared);
     RUN(memory_is_limited);
     RUN(missing_programs);
     CHECK_EXIT;
