@@ -3,16 +3,6 @@
 
 #include <math.h>
 
-point plb_matrix_apply(matrix m, point p)
-{
-    return (point){m.xx * p.x + m.xy * p.y + m.x0, m.yx * p.x + m.yy * p.y + m.y0};
-}
-
-point plb_matrix_apply_vector(matrix m, point v)
-{
-    return (point){m.xx * v.x + m.xy * v.y, m.yx * v.x + m.yy * v.y};
-}
-
 matrix plb_matrix_multiply(matrix a, matrix b)
 {
     return (matrix){
@@ -55,19 +45,9 @@ double plb_matrix_expansion(matrix m)
     return sqrt(fabs(plb_matrix_determinant(m)));
 }
 
-double plb_point_length(point a)
-{
-    return sqrt(a.x * a.x + a.y * a.y);
-}
-
 bool plb_point_is_steep(point way)
 {
     return fabs(way.y) > 1.7320508 * fabs(way.x);
-}
-
-double plb_point_distance(point a, point b)
-{
-    return plb_point_length(point_sub(a, b));
 }
 
 void plb_box_add(box *b, point p)

@@ -33,88 +33,87 @@ static bool is_candidate(const stroke_list *list, const stroke *s)
     return s->n == 2 && s->touch.kind == STROKE_LINE && plb_point_distance(v[0], v[1]) >= SHORTEST_MM;
 }
 
-/* The part of half a turn in which a direction lies, once turned by `more` radians. */
-static int64_t part_of(point way, double more)
-{
-    double turn = (atan2(way.y, way.x) + more) / PLB_PI + 2;
-    return (int64_t)floor((turn - floor(turn)) * PARTS) % PARTS;
-}
-
 /* The line that asks: its beginning, unit direction and length; what lies `farthest` away or more is no neighbour. */
 typedef struct {
     point a, along;
     double length, farthest;
 } asker;
 
+/* A candidate, kept where the grid's numbers lead at once. */
+typedef struct {
+    point a, b;
+    size_t stroke;
+} line;
+typedef ARRAY(line) lines;
+
 /* How far the line from c to d lies beside the one that asks where both are; 0 when they are not beside each other. */
 static double gap_to(const asker *q, point c, point d)
 {
     point to_c = point_sub(c, q->a), to_d = point_sub(d, q->a);
     double sc = point_dot(to_c, q->along), sd = point_dot(to_d, q->along);
-    double from = fmax(fmin(sc, sd), 0), to = fmin(fmax(sc, sd), q->length);
+    double from = greater(lesser(sc, sd), 0), to = lesser(greater(sc, sd), q->length);
     if (to < from) /* most of those in a cell: no root for them */
         return 0;
     double hc = point_cross(q->along, to_c), hd = point_cross(q->along, to_d), other = plb_point_distance(c, d);
-    if (to - from < TOGETHER * fmin(q->length, other) || fabs(hd - hc) > PARALLEL * other)
+    if (to - from < TOGETHER * lesser(q->length, other) || fabs(hd - hc) > PARALLEL * other)
         return 0;
     double slope = (hd - hc) / (sd - sc), h0 = hc + (from - sc) * slope, h1 = hc + (to - sc) * slope;
     if ((h0 > 0) != (h1 > 0))
         return 0;
-    double gap = fmin(fabs(h0), fabs(h1));
+    double gap = lesser(fabs(h0), fabs(h1));
     return gap < NEAREST_MM ? 0 : gap;
 }
 
-static void look(const grid *g, stroke_list *list, size_t i, const asker *q, int64_t column, int64_t key, size_t *looks)
+static void look(const grid *g, const lines *all, stroke *s, const line *self, const asker *q, int64_t column, int64_t key, size_t *looks)
 {
-    stroke *s = &list->strokes.v[i];
     for (uint32_t k = plb_grid_first(g, column, key); k != GRID_END && *looks < MOST_LOOKS; k = g->entries.v[k].next) {
-        const stroke *t = &list->strokes.v[g->entries.v[k].value];
-        const point *w = list->points.v + t->first;
-        if (t == s)
+        const line *t = &all->v[g->entries.v[k].value];
+        if (t == self)
             continue;
         ++*looks;
-        double gap = gap_to(q, w[0], w[1]);
+        double gap = gap_to(q, t->a, t->b);
         if (gap > 0 && gap < q->farthest && (s->room == 0 || SHARE_OF_GAP * gap < s->room))
             s->room = (float)(SHARE_OF_GAP * gap);
     }
 }
 
-static void find(const grid *g, stroke_list *list, size_t i)
+static void find(const grid *g, const lines *all, const line *self, stroke *s)
 {
-    const point *v = list->points.v + list->strokes.v[i].first;
-    double length = plb_point_distance(v[0], v[1]);
-    point way = point_sub(v[1], v[0]);
-    asker q = {v[0], point_scale(way, 1 / length), length, fmin(FARTHEST * length + NEAREST_MM, FARTHEST_MM)};
-    int64_t column, row, low = part_of(way, -PARALLEL), high = part_of(way, PARALLEL);
-    grid_walk w = plb_grid_walk(g, v[0], v[1], q.farthest);
+    point way = point_sub(self->b, self->a);
+    double length = plb_point_length(way), turn = plb_grid_turn(way), most = PARALLEL / PLB_PI;
+    asker q = {self->a, point_scale(way, 1 / length), length, fmin(FARTHEST * length + NEAREST_MM, FARTHEST_MM)};
+    int64_t column, row, low = plb_grid_part(turn - most, PARTS), high = plb_grid_part(turn + most, PARTS);
+    grid_walk w = plb_grid_walk(g, self->a, self->b, q.farthest);
     size_t looks = 0;
     while (looks < MOST_LOOKS && plb_grid_step(&w, &column, &row)) {
-        look(g, list, i, &q, column, row * PARTS + low, &looks);
+        look(g, all, s, self, &q, column, row * PARTS + low, &looks);
         if (high != low)
-            look(g, list, i, &q, column, row * PARTS + high, &looks);
+            look(g, all, s, self, &q, column, row * PARTS + high, &looks);
     }
 }
 
-static bool put(grid *g, const stroke_list *list, size_t i)
+static bool put(grid *g, lines *all, const stroke_list *list, size_t i)
 {
     const point *v = list->points.v + list->strokes.v[i].first;
-    int64_t column, row, part = part_of(point_sub(v[1], v[0]), 0);
+    line l = {v[0], v[1], i};
+    int64_t column, row, part = plb_grid_part(plb_grid_turn(point_sub(v[1], v[0])), PARTS);
     grid_walk w = plb_grid_walk(g, v[0], v[1], 0);
     while (plb_grid_step(&w, &column, &row))
-        if (!plb_grid_put(g, column, row * PARTS + part, (uint32_t)i))
+        if (!plb_grid_put(g, column, row * PARTS + part, (uint32_t)all->n))
             return false;
-    return true;
+    return array_push(all, l);
 }
 
 bool plb_plan_beside(stroke_list *list, error *err)
 {
     grid g;
+    lines all = {0};
     bool ok = plb_grid_init(&g, CELL_MM, 2 * list->strokes.n);
     for (size_t i = 0; ok && i < list->strokes.n; i++)
-        ok = !is_candidate(list, &list->strokes.v[i]) || put(&g, list, i);
-    for (size_t i = 0; ok && i < list->strokes.n; i++)
-        if (is_candidate(list, &list->strokes.v[i]))
-            find(&g, list, i);
+        ok = !is_candidate(list, &list->strokes.v[i]) || put(&g, &all, list, i);
+    for (size_t i = 0; ok && i < all.n; i++)
+        find(&g, &all, &all.v[i], &list->strokes.v[all.v[i].stroke]);
     plb_grid_free(&g);
+    array_free(&all);
     return ok || plb_fail_memory(err);
 }

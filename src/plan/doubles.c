@@ -4,6 +4,7 @@
  * once. Where a line runs along an earlier one it is left out, as a whole or in part; what is left of it goes on as strokes
  * of their own. Hatching and lettering are left alone.
  */
+#include "base/interpolate.h"
 #include "plan/grid.h"
 #include "plan/pass.h"
 
@@ -20,7 +21,11 @@
 #define DIRECTIONS 8
 /* The earlier line must be drawn at least this strongly to stand for the later one. */
 #define LEAST_PRESSURE 0.8
-/* Cells are so large that the lines are in about this many of them at most. */
+/* Cells are at least and at most so broad, and between these so many times the mean distance of lines; but so large that
+ * the lines are in about so many of them at most. */
+#define LEAST_CELL_MM 1.0
+#define MOST_CELL_MM 3.0
+#define CELL_DISTANCES 6.0
 #define MOST_CELLS 8e6
 /* Looks at neighbours for one segment: where more lines lie upon each other it is a blot anyway. */
 #define MOST_LOOKS 1024
@@ -63,7 +68,7 @@ static bool overlap(const undoubler *u, point a, point along, double length, con
     double hp = point_cross(along, p), hq = point_cross(along, q), t = u->tolerance;
     if ((hp > t && hq > t) || (hp < -t && hq < -t))
         return false;
-    double sp = point_dot(p, along), sq = point_dot(q, along), from = fmax(fmin(sp, sq), 0), to = fmin(fmax(sp, sq), length);
+    double sp = point_dot(p, along), sq = point_dot(q, along), from = greater(lesser(sp, sq), 0), to = lesser(greater(sp, sq), length);
     if (!(to - from > 1e-9) || fabs(sq - sp) < u->least_cosine * plb_point_distance(d->a, d->b))
         return false;
     double slope = (hq - hp) / (sq - sp); /* where the distance reaches the tolerance the run ends */
@@ -74,13 +79,6 @@ static bool overlap(const undoubler *u, point a, point along, double length, con
     }
     *out = (run){from, to};
     return to - from > 1e-9;
-}
-
-/* The part of half a turn that a direction lies in, once it has been turned by `degrees`. */
-static int64_t part_of(point along, double degrees)
-{
-    double turn = atan2(along.y, along.x) / PLB_PI + degrees / 180 + 2;
-    return (int64_t)floor((turn - floor(turn)) * DIRECTIONS) % DIRECTIONS;
 }
 
 /* A segment and where it begins: its start, unit direction, length and the stroke's arc length there. */
@@ -110,7 +108,8 @@ static bool find_runs(undoubler *u, touch like, point a, point b, double start)
 {
     double length = plb_point_distance(a, b);
     question q = {like, a, point_scale(point_sub(b, a), 1 / length), length, start};
-    int64_t column, row, low = part_of(q.along, -TURN_DEGREES), high = part_of(q.along, TURN_DEGREES);
+    double turn = plb_grid_turn(q.along), most = TURN_DEGREES / 180;
+    int64_t column, row, low = plb_grid_part(turn - most, DIRECTIONS), high = plb_grid_part(turn + most, DIRECTIONS);
     grid_walk w = plb_grid_walk(&u->where, a, b, u->tolerance);
     size_t looks = 0;
     if (u->looks > MOST_LOOKS_OF_ALL)
@@ -149,7 +148,7 @@ static bool put_on_grid(undoubler *u, size_t number)
     for (size_t i = 1; i < s->n; i++) {
         drawn d = {u->made->points.v[s->first + i - 1], u->made->points.v[s->first + i], (uint32_t)number};
         grid_walk w = plb_grid_walk(&u->where, d.a, d.b, 0);
-        int64_t column, row, part = part_of(point_sub(d.b, d.a), 0);
+        int64_t column, row, part = plb_grid_part(plb_grid_turn(point_sub(d.b, d.a)), DIRECTIONS);
         if (!array_push(&u->segments, d))
             return false;
         while (plb_grid_step(&w, &column, &row))
@@ -226,11 +225,17 @@ static double length_of_all(const stroke_list *list)
     return sum;
 }
 
+static double cell_for(const stroke_list *list, double whole)
+{
+    double distance = list->width * list->height / fmax(whole, 1);
+    return fmax(clamp(CELL_DISTANCES * distance, LEAST_CELL_MM, MOST_CELL_MM), whole / MOST_CELLS);
+}
+
 bool plb_plan_undouble(stroke_list *list, double tolerance, error *err)
 {
     stroke_list made = {.width = list->width, .height = list->height};
     undoubler u = {.made = &made, .tolerance = tolerance, .least_cosine = cos(TURN_DEGREES * PLB_PI / 180)};
-    double whole = length_of_all(list), cell = fmax(1, whole / MOST_CELLS);
+    double whole = length_of_all(list), cell = cell_for(list, whole);
     bool ok = plb_grid_init(&u.where, cell, list->points.n + (size_t)(whole / cell));
     for (size_t i = 0; ok && i < list->strokes.n; i++)
         ok = undouble(&u, &list->strokes.v[i], list->points.v + list->strokes.v[i].first);

@@ -42,6 +42,17 @@ bool plb_grid_put(grid *g, int64_t column, int64_t row, uint32_t value)
     return true;
 }
 
+double plb_grid_turn(point way)
+{
+    return atan2(way.y, way.x) / PLB_PI;
+}
+
+int64_t plb_grid_part(double turn, int parts)
+{
+    double whole = turn + 2;
+    return (int64_t)((whole - floor(whole)) * parts) % parts;
+}
+
 /* The columns of the walk's row: where the segment passes it. */
 static void enter_row(grid_walk *w)
 {

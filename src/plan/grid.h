@@ -35,6 +35,11 @@ static inline uint32_t plb_grid_first(const grid *g, int64_t column, int64_t row
     return g->head[random_fold(0, column, row) & (g->heads - 1)];
 }
 
+/* A direction as a share of half a turn, -1 to 1, and in which of so many equal parts of half a turn such a share lies: lines
+ * are kept apart by their direction, whichever way they are drawn. */
+double plb_grid_turn(point way);
+int64_t plb_grid_part(double turn, int parts);
+
 /* A walk through the cells that come within `margin` of a segment (and maybe a few more beside its ends). */
 typedef struct {
     const grid *g;

@@ -101,7 +101,7 @@ static size_t neighbours(const joiner *j, uint32_t end, double reach, uint32_t f
         for (uint32_t k = plb_grid_first(&j->where, column, row); k != GRID_END; k = j->where.entries.v[k].next) {
             uint32_t other = j->where.entries.v[k].value;
             point q = place_of(j, other);
-            if (other == end || plb_grid_cell(&j->where, q.x) != column || plb_grid_cell(&j->where, q.y) != row || plb_point_distance(p, q) > reach)
+            if (other == end || plb_point_distance(p, q) > reach || plb_grid_cell(&j->where, q.x) != column || plb_grid_cell(&j->where, q.y) != row)
                 continue;
             if (n == MOST_ENDS)
                 return n + 1;

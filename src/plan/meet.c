@@ -22,11 +22,14 @@
 #define MOST_LOOKS 10000
 #define MOST_LOOKS_OF_ALL 1e8
 
-static double distance_to(point p, point a, point b)
+/* Whether p lies so near to the segment. Most do not lie so near to its box: no root for them. */
+static bool is_near(point p, point a, point b)
 {
+    if (p.x < lesser(a.x, b.x) - NEAR_MM || p.x > greater(a.x, b.x) + NEAR_MM || p.y < lesser(a.y, b.y) - NEAR_MM || p.y > greater(a.y, b.y) + NEAR_MM)
+        return false;
     point d = point_sub(b, a);
     double t = point_dot(point_sub(p, a), d) / point_dot(d, d);
-    return plb_point_distance(p, point_mix(a, b, fmin(fmax(t, 0), 1)));
+    return plb_point_distance(p, point_mix(a, b, lesser(greater(t, 0), 1))) < NEAR_MM;
 }
 
 static bool is_of_drawing(const stroke *s)
@@ -34,26 +37,25 @@ static bool is_of_drawing(const stroke *s)
     return s->touch.kind == STROKE_LINE && !s->closed;
 }
 
-/* Ends are numbered: 2 i is the start of stroke i, 2 i + 1 its end. */
-static point end_of(const stroke_list *list, uint32_t end)
-{
-    const stroke *s = &list->strokes.v[end / 2];
-    return list->points.v[s->first + (end & 1 ? s->n - 1 : 0)];
-}
+/* All ends of lines, and where each is found. */
+typedef struct {
+    grid where;
+    ARRAY(point) at;
+} line_ends;
 
-static bool is_met(const grid *g, const stroke_list *list, size_t i, size_t *looks)
+static bool is_met(const line_ends *ends, const stroke_list *list, size_t i, size_t *looks)
 {
     const stroke *s = &list->strokes.v[i];
     const point *v = list->points.v + s->first;
     int64_t column, row;
     for (size_t k = 1; k < s->n; k++) {
-        grid_walk w = plb_grid_walk(g, v[k - 1], v[k], NEAR_MM);
+        grid_walk w = plb_grid_walk(&ends->where, v[k - 1], v[k], NEAR_MM);
         while (*looks < MOST_LOOKS && plb_grid_step(&w, &column, &row)) {
             ++*looks;
-            for (uint32_t e = plb_grid_first(g, column, row); e != GRID_END && *looks < MOST_LOOKS; e = g->entries.v[e].next) {
-                point p = end_of(list, g->entries.v[e].value);
+            for (uint32_t e = plb_grid_first(&ends->where, column, row); e != GRID_END && *looks < MOST_LOOKS; e = ends->where.entries.v[e].next) {
+                point p = ends->at.v[ends->where.entries.v[e].value];
                 ++*looks;
-                if (distance_to(p, v[k - 1], v[k]) < NEAR_MM && plb_point_distance(p, v[0]) > CORNER_MM && plb_point_distance(p, v[s->n - 1]) > CORNER_MM)
+                if (is_near(p, v[k - 1], v[k]) && plb_point_distance(p, v[0]) > CORNER_MM && plb_point_distance(p, v[s->n - 1]) > CORNER_MM)
                     return true;
             }
         }
@@ -70,11 +72,18 @@ static bool is_long(const stroke_list *list, const stroke *s)
     return length >= SHORTEST_MM;
 }
 
-static bool put_ends(grid *g, const stroke_list *list, size_t i)
+static bool put_end(line_ends *ends, point p)
 {
-    for (uint32_t e = (uint32_t)(2 * i); e < 2 * i + 2; e++) {
-        point p = end_of(list, e);
-        if (!plb_grid_put(g, plb_grid_cell(g, p.x), plb_grid_cell(g, p.y), e))
+    return plb_grid_put(&ends->where, plb_grid_cell(&ends->where, p.x), plb_grid_cell(&ends->where, p.y), (uint32_t)ends->at.n) &&
+           array_push(&ends->at, p);
+}
+
+static bool put_ends(line_ends *ends, const stroke_list *list)
+{
+    for (size_t i = 0; i < list->strokes.n; i++) {
+        const stroke *s = &list->strokes.v[i];
+        const point *v = list->points.v + s->first;
+        if (is_of_drawing(s) && !(put_end(ends, v[0]) && put_end(ends, v[s->n - 1])))
             return false;
     }
     return true;
@@ -82,18 +91,17 @@ static bool put_ends(grid *g, const stroke_list *list, size_t i)
 
 bool plb_plan_meet(stroke_list *list, error *err)
 {
-    grid g;
+    line_ends ends = {0};
     double of_all = 0;
-    bool ok = plb_grid_init(&g, CELL_MM, 2 * list->strokes.n);
-    for (size_t i = 0; ok && i < list->strokes.n; i++)
-        ok = !is_of_drawing(&list->strokes.v[i]) || put_ends(&g, list, i);
+    bool ok = plb_grid_init(&ends.where, CELL_MM, 2 * list->strokes.n) && put_ends(&ends, list);
     for (size_t i = 0; ok && i < list->strokes.n && of_all < MOST_LOOKS_OF_ALL; i++) {
         stroke *s = &list->strokes.v[i];
         size_t looks = 0;
-        if (is_of_drawing(s) && is_long(list, s) && is_met(&g, list, i, &looks))
+        if (is_of_drawing(s) && is_long(list, s) && is_met(&ends, list, i, &looks))
             s->room = s->room > 0 ? fminf(s->room, ROOM_MM) : ROOM_MM;
         of_all += (double)looks;
     }
-    plb_grid_free(&g);
+    plb_grid_free(&ends.where);
+    array_free(&ends.at);
     return ok || plb_fail_memory(err);
 }

@@ -32,7 +32,7 @@ static inline terms terms_of(const piece_frame *f)
     return (terms){k->b0.x, k->b1.x, f->step, f->us, k->left, k->right, k->s0, k->length * f->strip_px};
 }
 
-static inline bool is_outside(const terms *t, double a, double b, double u, double i)
+static inline int is_outside(const terms *t, double a, double b, double u, double i)
 {
     double across = u + i * t->us;
     return (a + i * t->ax * t->step < 0) | (b + i * t->bx * t->step >= 0) | (across > t->right) | (across < -t->left);
