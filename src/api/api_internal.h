@@ -12,9 +12,16 @@
 #include "list/strokes.h"
 #include "profile/profile.h"
 
+typedef struct pencil_rack pencil_rack; /* see pencils.h */
+
 struct plb_profile {
     profile *p;
+    pencil_rack *rack; /* what has been made from it */
 };
+
+/* Empty; NULL when out of memory. */
+pencil_rack *plb_api_rack_new(void);
+void plb_api_rack_free(pencil_rack *r);
 
 struct plb_drawing {
     char *name; /* of its file, for messages */

@@ -27,7 +27,7 @@ plb_arm plb_api_arm(const plb_options *o);
 typedef struct {
     plb_profile *own; /* NULL when borrowed */
     const plb_profile *profile;
-    pencil *pencil;
+    const pencil *pencil; /* the profile's */
     graphite ink;
     stroke_options stroke;
 } drawing_tools;

@@ -22,12 +22,14 @@ const char *plb_pencil_name(size_t index)
 static plb_profile *wrap(profile *p, error *failed, plb_error *to)
 {
     plb_profile *out = p ? plb_new(1, sizeof *out) : NULL;
-    if (out) {
-        out->p = p;
+    pencil_rack *rack = out ? plb_api_rack_new() : NULL;
+    if (rack) {
+        *out = (plb_profile){p, rack};
         return out;
     }
     if (p)
         plb_fail_memory(failed);
+    plb_free(out);
     plb_profile_release(p);
     plb_api_fail(to, failed);
     return NULL;
@@ -41,8 +43,10 @@ plb_profile *plb_profile_load(const char *pencil, plb_error *to)
 
 void plb_profile_free(plb_profile *pencil)
 {
-    if (pencil)
-        plb_profile_release(pencil->p);
+    if (!pencil)
+        return;
+    plb_api_rack_free(pencil->rack);
+    plb_profile_release(pencil->p);
     plb_free(pencil);
 }
 

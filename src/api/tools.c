@@ -4,6 +4,8 @@
  */
 #include "api/drawing.h"
 
+#include "api/pencils.h"
+
 #include <string.h>
 
 #define DEFAULT_PENCIL "HB"
@@ -26,7 +28,8 @@ bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
             return plb_fail(err, (error_kind)failed.status, "%s", failed.text);
     }
     static const paper_kind papers[] = {PAPER_MEDIUM, PAPER_SMOOTH, PAPER_ROUGH, PAPER_NONE};
-    t->pencil = plb_pencil_on_paper(t->profile->p, papers[o->paper], err);
+    line_model model = o->model == PLB_MODEL_GRAPHITE ? MODEL_GRAPHITE : MODEL_HLA;
+    t->pencil = plb_api_pencil(t->profile, model, papers[o->paper], err);
     if (!t->pencil) {
         plb_api_tools_free(t);
         return false;
@@ -35,7 +38,7 @@ bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
     t->stroke = (stroke_options){.pencil = t->pencil, .seed = o->seed, .squiggle = o->squiggle, .dpi = o->dpi, .pressure = o->pressure};
     static const handedness handed[] = {HANDED_RIGHT, HANDED_LEFT, HANDED_NONE};
     t->stroke.handed = handed[o->handed];
-    t->stroke.model = o->model == PLB_MODEL_GRAPHITE ? MODEL_GRAPHITE : MODEL_HLA;
+    t->stroke.model = model;
     static const arm_model arms[] = {[PLB_ARM_HAND] = ARM_HAND, [PLB_ARM_JERK] = ARM_JERK, [PLB_ARM_SPRING] = ARM_SPRING,
                                      [PLB_ARM_LOGNORMAL] = ARM_LOGNORMAL, [PLB_ARM_TORQUE] = ARM_TORQUE};
     t->stroke.arm = arms[plb_api_arm(o)];
@@ -44,8 +47,7 @@ bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
 
 void plb_api_tools_free(drawing_tools *t)
 {
-    plb_pencil_free(t->pencil);
-    plb_profile_free(t->own);
+    plb_profile_free(t->own); /* and its pencils */
     t->pencil = NULL;
     t->own = NULL;
 }

@@ -55,11 +55,6 @@ static int rows_of(double half_width)
 
 pencil *plb_pencil_new(const profile *f, error *err)
 {
-    return plb_pencil_on_paper(f, PAPER_NONE, err);
-}
-
-pencil *plb_pencil_on_paper(const profile *f, paper_kind on, error *err)
-{
     pencil *p = plb_new(1, sizeof *p);
     if (!p) {
         plb_fail_memory(err);
@@ -76,12 +71,17 @@ pencil *plb_pencil_on_paper(const profile *f, paper_kind on, error *err)
     p->outside_span = f->max_range - p->outside_low + 1;
     tabulate_centre(p);
     tabulate_nearest(p);
-    if (f->grain.present && !plb_pencil_tabulate_grain(p, on)) {
-        plb_fail_memory(err);
-        plb_pencil_free(p);
-        return NULL;
-    }
     return p;
+}
+
+pencil *plb_pencil_on_paper(const profile *f, paper_kind on, error *err)
+{
+    pencil *p = plb_pencil_new(f, err);
+    if (!p || !f->grain.present || plb_pencil_tabulate_grain(p, on))
+        return p;
+    plb_fail_memory(err);
+    plb_pencil_free(p);
+    return NULL;
 }
 
 void plb_pencil_free(pencil *p)

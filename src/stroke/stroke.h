@@ -23,7 +23,8 @@ typedef enum { HANDED_NONE, HANDED_RIGHT, HANDED_LEFT } handedness; /* NONE: no 
 typedef struct pencil pencil;
 /* What the pencil draws on. */
 typedef enum { PAPER_NONE, PAPER_SMOOTH, PAPER_MEDIUM, PAPER_ROUGH } paper_kind;
-/* Borrows `p`, which must live longer. NULL and `err` when out of memory. Without a kind of paper: PAPER_NONE. */
+/* For the papers' model, and for the graphite model on a paper. Both borrow `p`, which must live longer. NULL and `err` when
+ * out of memory. */
 pencil *plb_pencil_new(const profile *p, error *err);
 pencil *plb_pencil_on_paper(const profile *p, paper_kind on, error *err);
 void plb_pencil_free(pencil *p);

@@ -213,8 +213,37 @@ static void an_error_reaches_the_caller(void)
     free_drawing(d);
 }
 
+static const pencil *pencil_for(plb_options o)
+{
+    drawing_tools t;
+    CHECK(plb_api_tools_init(&t, &o, NULL));
+    const pencil *p = t.pencil;
+    plb_api_tools_free(&t);
+    return p;
+}
+
+/* A profile's pencils are made once for each model and paper, whoever asks. */
+static void pencils_are_made_once(void)
+{
+    plb_options o = plb_options_default(), rough = o, papers_model = o, other = o;
+    plb_profile *p = plb_profile_load("2H", NULL), *q = plb_profile_load("2H", NULL);
+    CHECK(p && q);
+    o.profile = rough.profile = papers_model.profile = p;
+    other.profile = q;
+    rough.paper = PLB_PAPER_ROUGH;
+    papers_model.model = PLB_MODEL_HLA;
+    const pencil *made = pencil_for(o);
+    CHECK(pencil_for(o) == made && pencil_for(rough) != made && pencil_for(other) != made);
+    CHECK(pencil_for(papers_model) != made && pencil_for(papers_model) == pencil_for(papers_model));
+    rough.model = PLB_MODEL_HLA; /* which knows no paper */
+    CHECK(pencil_for(papers_model) == pencil_for(rough));
+    plb_profile_free(p);
+    plb_profile_free(q);
+}
+
 int main(void)
 {
+    RUN(pencils_are_made_once);
     RUN(bands_and_threads_change_no_pixel);
     RUN(colours_are_laid);
     RUN(files_are_the_same);
