@@ -120,32 +120,43 @@ static bool looks_plain(const input_source *in)
     return !*word;
 }
 
-/* False: `list` is as it was, and tap-svg is to be asked. */
-static bool read_plain(const input_source *in, display_list *list)
+/* Where its time was not enough, librsvg's would not be, nor where we could not hold what it wrote. */
+static bool is_hopeless(const input_source *in, const process *p, const error *reading, error *err)
+{
+    if (p->end == PROCESS_TIMED_OUT)
+        return !plb_reader_ended_by_itself(in, "tap-plain", p, err);
+    return (reading->kind == ERROR_LIMIT || reading->kind == ERROR_MEMORY) && !plb_fail(err, reading->kind, "%s: %s", in->name, reading->text);
+}
+
+/* MALFORMED: it is not plain, `list` is as it was, and tap-svg is to be asked. */
+static outcome read_plain(const input_source *in, display_list *list, error *err)
 {
     static const char *const argv[] = {"tap-plain", NULL};
     char program[PROCESS_PATH_MAX];
     process p;
     error why = {0};
     if (!looks_plain(in) || !plb_process_find(in->helper_dir, argv[0], program, &why) || !plb_reader_start(in, argv[0], program, argv, &p, &why))
-        return false;
+        return MALFORMED;
     cairoscript_source from = {.refill = refill, .closure = &p};
     plb_read_cairoscript(&from, list, &why);
     plb_process_finish(&p);
     if (from.complete && p.end == PROCESS_EXITED && p.code == 0)
-        return true;
-    plb_say(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, p.end == PROCESS_EXITED && p.code ? plb_reader_message(&p) : why.text);
+        return DONE;
     plb_list_free(list);
     plb_list_init(list);
-    return false;
+    if (is_hopeless(in, &p, &why, err))
+        return FAILED;
+    plb_say(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, p.end == PROCESS_EXITED && p.code ? plb_reader_message(&p) : why.text);
+    return MALFORMED;
 }
 
 bool plb_read_svg(const input_source *in, display_list *list, error *err)
 {
     char program[PROCESS_PATH_MAX];
     error first = {0};
-    if (read_plain(in, list))
-        return true;
+    outcome plain = read_plain(in, list, err);
+    if (plain != MALFORMED)
+        return plain == DONE;
     if (!plb_process_find(in->helper_dir, "tap-svg", program, &first))
         return plb_fail(err, first.kind, "%s: %s", in->name, first.text);
     manner how = {false, false};

@@ -15,8 +15,9 @@ static size_t length;
 
 static void collect(const char *text, size_t size)
 {
-    whole = realloc(whole, length + size + 1);
-    fuzz_require(whole != NULL);
+    char *more = realloc(whole, length + size + 1);
+    fuzz_require(more != NULL);
+    whole = more;
     memcpy(whole + length, text, size);
     length += size;
 }
