@@ -26,6 +26,8 @@
 #define LOW 0.01              /* the percentiles that are the bounds */
 #define HIGH 0.99
 #define DPI_TOLERANCE 0.01    /* scans of one profile have one resolution */
+#define LEAST_WIDTH 0.05      /* mm: half a pixel of 1/300 inch, finer than which no line is drawn … */
+#define MOST_WIDTH 2.0        /* … to that of the broadest lead; both chosen by eye */
 #define WIDTH_STEPS 12        /* of fitting the section to the width wanted */
 
 typedef struct {
@@ -265,8 +267,8 @@ static bool check_options(const capture_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "a provenance is at most %u bytes of UTF-8 without control characters", FORMAT_MAX_TEXT);
     if (o->centre_min < 0 || o->centre_max > 255 || o->centre_min > o->centre_max)
         return plb_fail(err, ERROR_ARGUMENT, "the range of the centre, %d to %d, is not within 0 to 255", o->centre_min, o->centre_max);
-    if (!(o->width >= 0 && o->width <= 2))
-        return plb_fail(err, ERROR_ARGUMENT, "a width of %g mm is not between 0 and 2", o->width);
+    if (o->width != 0 && !(o->width >= LEAST_WIDTH && o->width <= MOST_WIDTH))
+        return plb_fail(err, ERROR_ARGUMENT, "a width of %g mm is not between %g and %g", o->width, LEAST_WIDTH, MOST_WIDTH);
     return true;
 }
 

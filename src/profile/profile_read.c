@@ -222,6 +222,15 @@ static bool check_frame(const char *name, const unsigned char *data, size_t size
     return true;
 }
 
+/* The grain had fewer numbers in versions of the program before: its section is then sound, but of no use. */
+static bool is_grain_of_another_time(const char *tag, cursor body)
+{
+    size_t floats = 0;
+    for (size_t f = 0; f < GRAIN_FIELDS; f++)
+        floats += plb_grain_fields[f].count;
+    return !memcmp(tag, "GRAI", 4) && (size_t)(body.end - body.at) != GRAIN_MODES + 4 * floats;
+}
+
 /* One section; marks its entry in `seen`. */
 static bool parse_one(const char *name, const char *tag, cursor body, bool seen[SECTIONS], profile *p, error *err)
 {
@@ -233,6 +242,8 @@ static bool parse_one(const char *name, const char *tag, cursor body, bool seen[
     if (seen[i])
         return plb_fail(err, ERROR_SYNTAX, "%s: pencil profile has two %s sections", name, sections[i].tag);
     seen[i] = true;
+    if (is_grain_of_another_time(tag, body))
+        return plb_fail(err, ERROR_UNSUPPORTED, "%s: pencil profile with a GRAI section of another version of plumbago; capture it again", name);
     if (!sections[i].read(&body, p) || body.at != body.end)
         return plb_fail(err, ERROR_SYNTAX, "%s: pencil profile has a malformed %s section", name, sections[i].tag);
     return true;

@@ -80,7 +80,7 @@ static bool set_width(void *p, const char *v)
     settings *s = p;
     const char *end;
     s->used |= FOR_CAPTURE;
-    return parse_number(v, &end, &s->capture.width) && (!*end || !strcmp(end, "mm")) && s->capture.width > 0 && s->capture.width <= 2;
+    return parse_number(v, &end, &s->capture.width) && (!*end || !strcmp(end, "mm")) && s->capture.width > 0; /* how much, the library says */
 }
 static bool set_grain(void *p, const char *v)
 {

@@ -157,6 +157,8 @@ refused 2 "--centre upside down" '--centre' capture x.png -o y --centre 200-100
 refused 2 "--centre beyond white" '--centre' capture x.png -o y --centre 0-256
 refused 2 "--centre of words" '--centre' capture x.png -o y --centre dark-light
 refused 2 "--width 0" '--width' capture x.png -o y --width 0
+refused 1 "--width of a hair's hair" 'width of 0.0001 mm is not between 0.05 and 2' capture hb.png -o y --width 0.0001
+refused 1 "--width of a brush" 'width of 2.1 mm' capture hb.png -o y --width 2.1mm
 refused 2 "--width in inches" '--width' capture x.png -o y --width 1in
 refused 1 "--grain of no pencil" '9B' capture hb.png -o y --grain 9B
 refused 2 "--dpi nan" '--dpi' capture x.png -o y --dpi nan

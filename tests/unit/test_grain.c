@@ -385,6 +385,19 @@ static void a_profile_without_it(void)
     plb_profile_release(q);
 }
 
+/* Of a size that an earlier version wrote: the message says what to do. */
+static void grain_of_another_version(void)
+{
+    size_t at;
+    bytes b = pencil(&at);
+    error err = {0};
+    CHECK(b.v[at + 4] == (GRAIN_SIZE & 255) && b.v[at + 5] == GRAIN_SIZE >> 8);
+    b.v[at + 4] = (unsigned char)(b.v[at + 4] - 4); /* one number fewer; nobody gets to what follows */
+    seal(&b);
+    CHECK(!plb_profile_parse("x", b.v, b.n, &err) && err.kind == ERROR_UNSUPPORTED && strstr(err.text, "capture it again"));
+    plb_free(b.v);
+}
+
 static void flipped_bits(void)
 {
     size_t at;
@@ -479,6 +492,7 @@ int main(void)
     RUN(little_to_go_by);
     RUN(the_eight_have_it);
     RUN(a_profile_without_it);
+    RUN(grain_of_another_version);
     RUN(flipped_bits);
     RUN(numbers_out_of_bounds);
     RUN(numbers_that_do_not_fit);
