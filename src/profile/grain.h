@@ -13,6 +13,9 @@
 #define GRAIN_ROWS (2 * GRAIN_REACH + 1)
 #define GRAIN_LAGS 5   /* of the scores' correlation: 0 to 4 along … */
 #define GRAIN_ASIDE 3  /* … and 0 to 2 across */
+#define GRAIN_CORE 0.35f /* expected level from which a pixel has a score: below, clipping at the paper hides it */
+#define GRAIN_FAR_FROM 8 /* columns apart at which only what is slow still correlates … */
+#define GRAIN_FAR_TO 12  /* … to; these chosen by eye */
 #define GRAIN_MIN_COLUMNS 300     /* fewer tell nothing */
 #define GRAIN_MAX_COLUMNS 400000  /* of one profile, 34 m of line: a bound on memory */
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, tenth step: how lines differ: the joint normal distribution of their own figures.
+ * Capture of the grain, eleventh step: how lines differ: the joint normal distribution of their own figures.
  */
 #include "profile/grain.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, seventh step: moments of the scores of neighbouring pixels, every line's divided by its roughness.
+ * Capture of the grain, eighth step: moments of the scores of neighbouring pixels, every line's divided by its roughness.
  */
 #include "profile/grain.h"
 
@@ -8,8 +8,6 @@
 
 #include <math.h>
 
-#define FAR_FROM 8              /* columns apart at which only what is slow still correlates … */
-#define FAR_TO 12               /* … to … */
 #define FIRST_VOLATILE 2        /* lags along at which products of squares tell the volatility */
 #define CORRELATION_GAIN 1.1    /* of the next pixel: makes up for what the table's clipping takes; chosen by eye */
 #define VOLATILITY_GAIN 1.5     /* makes up for what its own decay along the line takes; chosen by eye */
@@ -35,7 +33,7 @@ static void add(mean *m, double x)
 }
 
 typedef struct {
-    mean product[FAR_TO + 1][GRAIN_ASIDE]; /* of scores so far apart */
+    mean product[GRAIN_FAR_TO + 1][GRAIN_ASIDE]; /* of scores so far apart */
     mean squares[GRAIN_LAGS][GRAIN_ASIDE]; /* of their squares */
     mean step, steps;                      /* squared step along; product of two of them, two rows apart */
 } sums;
@@ -77,8 +75,8 @@ static void correlate(const sums *s, double variance, grain_moments *m)
 {
     double plateau[GRAIN_ASIDE] = {0};
     for (int c = 0; c < GRAIN_ASIDE; c++)
-        for (int a = FAR_FROM; a <= FAR_TO; a++)
-            plateau[c] += value(s->product[a][c]) / variance / (FAR_TO - FAR_FROM + 1);
+        for (int a = GRAIN_FAR_FROM; a <= GRAIN_FAR_TO; a++)
+            plateau[c] += value(s->product[a][c]) / variance / (GRAIN_FAR_TO - GRAIN_FAR_FROM + 1);
     for (int a = 0; a < GRAIN_LAGS; a++)
         for (int c = 0; c < GRAIN_ASIDE; c++)
             m->correlation[a][c] = clamp((value(s->product[a][c]) / variance - plateau[c]) / fmax(1 - plateau[0], 0.1), -1, 1);

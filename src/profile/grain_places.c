@@ -16,12 +16,9 @@
 #include <math.h>
 
 #define PLACE_STEP 0.5          /* px */
-#define CORE 0.35f              /* expected level from which a pixel belongs to the core, as of the scores */
-#define LEAST_LEVEL 0.015f      /* below it there is paper and what strayed onto it */
-#define FAR_FROM 8              /* columns apart at which only what is slow still correlates … */
-#define FAR_TO 12               /* … to */
-#define ENOUGH 150              /* pairs for a place's own correlation */
-#define DEGREES 10              /* of the expansion */
+#define LEAST_LEVEL 0.015f      /* below it there is paper and what strayed onto it; chosen by eye */
+#define ENOUGH 150              /* pairs for a place's own correlation; chosen by eye */
+#define DEGREES 10              /* of the expansion: r^10 of the correlations met is below a thousandth */
 #define GRID_END 5.0            /* of the scores at which the expansion is integrated … */
 #define GRID_STEP 0.05          /* … and their distance */
 #define HALVINGS 20
@@ -117,7 +114,7 @@ static void add_pixel(const grain_line *l, const grain_model *g, int k, int o, s
     if (!score_at(l, g, k, o, here))
         return;
     double place = l->place[k * GRAIN_ROWS + o];
-    bool is_core = l->level[k * GRAIN_ROWS + o] >= CORE;
+    bool is_core = l->level[k * GRAIN_ROWS + o] >= GRAIN_CORE;
     pair_sums *along = &s->along[bin_of(place)];
     if (score_at(l, g, k + 1, o, there)) {
         add_pair(along, here, there);
@@ -129,7 +126,7 @@ static void add_pixel(const grain_line *l, const grain_model *g, int k, int o, s
         if (is_core)
             add_pair(&s->core_across, here, there);
     }
-    for (int d = FAR_FROM; d <= FAR_TO; d += 2)
+    for (int d = GRAIN_FAR_FROM; d <= GRAIN_FAR_TO; d += 2)
         if (score_at(l, g, k + d, o, there)) {
             along->distant += here[0] * there[0];
             along->first_distant += here[0] * here[0];

@@ -11,7 +11,6 @@
 
 #include <math.h>
 
-#define CORE 0.35f          /* expected level from which a pixel has a score: below, clipping at the paper hides it */
 #define PLACE_STEP 0.5      /* px */
 #define ENOUGH 100          /* pixels for a place's own spread */
 #define FADE_FROM 0.4       /* levels over which the dependence on place sets in */
@@ -32,7 +31,7 @@ static void score_line(grain_line *l, size_t line, const grain_model *g)
     double squares = 0, n = 0;
     for (int i = 0; i < l->n * GRAIN_ROWS; i++) {
         l->score[i] = NAN;
-        if (!l->usable[i / GRAIN_ROWS] || l->level[i] < CORE)
+        if (!l->usable[i / GRAIN_ROWS] || l->level[i] < GRAIN_CORE)
             continue;
         double z = plb_grain_score(g, l->level[i], undo_rounding(l, line, i));
         l->score[i] = (float)z;

@@ -34,6 +34,7 @@ double plb_grain_root(const grain_model *g, double place)
     return sqrt(plb_interpolate(g->section, GRAIN_SECTION, PROFILE_SECTION_STEP / 2, PROFILE_SECTION_STEP, fabs(place)));
 }
 
+/* Below this root a line is nearly paper: dividing by less would make mountains of its noise (chosen by eye). */
 #define LEAST_ROOT 0.1
 
 double plb_grain_root_slope(double root)

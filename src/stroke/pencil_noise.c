@@ -129,7 +129,7 @@ void plb_pencil_tabulate_noise(grain_tables *t, const grain_model *g)
 /* Patches of a line are rough, others smooth: over so many columns the logarithm of the grain's amplitude keeps 1/e of its
  * deviation (w0054 of hdBPMN; w0028 8). */
 #define PATCH_COLUMNS 7.0
-#define MOST_ACROSS 0.7
+#define MOST_ACROSS 0.7 /* by three rows neighbours cannot correlate by more than the root of a half */
 
 /* Of the three rows that make one of amplitudes, the weight of the outer ones, so that neighbours correlate by r. */
 static double weight_beside(double r)

@@ -158,9 +158,6 @@ void plb_plain_close(plain_path *p)
 
 /* ---- arcs --------------------------------------------------------------------------------------------------- */
 
-/* The same number to cairo. librsvg leaves out arcs that end where they start, to cairo's precision in user units. */
-static bool same_to_cairo(double a, double b) { return rint(a * PLAIN_STEPS) == rint(b * PLAIN_STEPS); }
-
 typedef struct {
     double centre[2], radii[2], cosine, sine; /* of the rotation */
     double from, turn;                        /* angles */
@@ -233,12 +230,13 @@ void plb_plain_draw_arc(plain_path *p, const plain_arc *a)
 {
     static const double least = 2.220446049250313e-16; /* of a radius' square */
     centred_arc c;
-    if (same_to_cairo(a->from[0], a->to[0]) && same_to_cairo(a->from[1], a->to[1]))
-        return;
     if (a->radii[0] * a->radii[0] < least || a->radii[1] * a->radii[1] < least) {
         plb_plain_line(p, a->to[0], a->to[1]);
         return;
     }
+    /* Only ends that are the same number leave nothing: full circles are often written as arcs with the smallest of gaps. */
+    if (a->from[0] == a->to[0] && a->from[1] == a->to[1])
+        return;
     if (!centre_arc(a, &c))
         return;
     double pieces = ceil(fabs(c.turn / (TAP_PI * 0.5 + 0.001)));
