@@ -125,7 +125,7 @@ PLB_WIDE static int64_t find_ragged(const piece_frame *f, const piece_rows *r, i
 
 static void trim_rows(const piece_frame *f, piece_rows *r)
 {
-    int64_t ragged[PIECE_ROWS];
+    int64_t ragged[PIECE_ROWS] = {0};
     if (find_ragged(f, r, ragged) > 0)
         for (int j = 0; j < r->n; j++)
             if (ragged[j])

@@ -30,6 +30,7 @@
 /* Where points are. */
 typedef struct {
     int n;
+    bool on_paper;                         /* whose heights have a part in it; else they are 0 */
     bool ends;                             /* some lie where the pressure is not the line's … */
     double columns, plain_first, plain_last; /* … but none of columns between these is: of all there are */
     int32_t column[POINTS];                /* of the field … */
@@ -201,7 +202,6 @@ static void locate_one_by_one(const grain *g, const sample_row *at, int from, in
 /* The points `from` to from + n of the row, at most a run. */
 static void add_run(const grain *g, const sample_row *at, int from, int n, points *p)
 {
-    const paper *on = &g->pencil->grain->paper;
     double begin = at->along + from * at->along_step, end = at->along + (from + n - 1) * at->along_step;
     double low = begin < end ? begin : end, high = begin < end ? end : begin;
     bool beside_line = low >= 0 && high < p->columns;
@@ -211,8 +211,8 @@ static void add_run(const grain *g, const sample_row *at, int from, int n, point
         locate_ragged(g, at, from, n, p);
     else
         locate_run(g, at, from, n, p);
-    if (on->share > 0)
-        plb_paper_row(on, &g->sheet, at->x + from * at->step, at->y, at->step, n, p->height + p->n);
+    if (p->on_paper)
+        plb_paper_row(&g->pencil->grain->paper, &g->sheet, at->x + from * at->step, at->y, at->step, n, p->height + p->n);
     p->ends |= !beside_line || low < p->plain_first || high >= p->plain_last;
     p->n += n;
 }
@@ -387,7 +387,8 @@ static void shade(const void *texture, const sample_row *rows, int n, uint8_t *o
     p.columns = g->columns;
     p.plain_first = g->plain_first + (double)g->ragged;
     p.plain_last = g->plain_last - (double)g->ragged;
-    if (!(g->pencil->grain->paper.share > 0))
+    p.on_paper = g->pencil->grain->paper.share > 0;
+    if (!p.on_paper)
         memset(p.height, 0, sizeof p.height);
     for (const sample_row *at = rows; at < rows + n; at++)
         for (int i = 0; i < at->n; i += RUN) {
