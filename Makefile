@@ -42,6 +42,10 @@ CFLAGS_ALL = -std=c17 $(WARN) -fPIC -ffp-contract=off -fno-math-errno -fno-trapp
 LDFLAGS_release = -pie -Wl,-z,relro,-z,now,-z,noexecstack
 LDFLAGS_ALL = $(filter -fsanitize=% --coverage,$(flags_$(BUILD))) $(LDFLAGS_$(BUILD)) $(LDFLAGS)
 
+# The thread sanitizer would judge the threads of librsvg's libraries, which it cannot see into; the taps have none.
+CFLAGS_tap  = $(if $(filter tsan,$(BUILD)),-fno-sanitize=thread)
+LDFLAGS_tap = $(filter-out -fsanitize=thread,$(LDFLAGS_ALL))
+
 # The inner loops of the texture are written for the compiler's vectors.
 CFLAGS_stroke = $(if $(filter release,$(BUILD)),-O3)
 
@@ -99,10 +103,10 @@ $(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/tap-flags
 	$(Q)$(CC) $(CFLAGS_ALL) $(shell pkg-config --cflags $(packages_tap)) -c $< -o $@
 $(O)/tap-svg: $(O)/tap/tap_svg.o $(O)/tap/tap_losses.o $(O)/tap/tap_page.o
 	$(say) LINK $@
-	$(Q)$(CC) $(LDFLAGS_ALL) $(filter %.o,$^) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
+	$(Q)$(CC) $(LDFLAGS_tap) $(filter %.o,$^) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
 $(O)/tap-plain: $(O)/tap/tap_plain.o $(plain_obj)
 	$(say) LINK $@
-	$(Q)$(CC) $(LDFLAGS_ALL) $(filter %.o,$^) $(shell pkg-config --libs $(packages_plain)) -lm -o $@
+	$(Q)$(CC) $(LDFLAGS_tap) $(filter %.o,$^) $(shell pkg-config --libs $(packages_plain)) -lm -o $@
 
 # The other tap is a script around the library ezdxf.
 $(O)/tap-dxf: src/tap/tap_dxf.py
@@ -140,9 +144,17 @@ check-only: tests
 	$(Q)tests/run $(O) $(TESTS)
 
 # What takes longer than one likes to wait. LOAD=N: how many drawings are made while make is killed.
-.PHONY: check-long
+.PHONY: check-long check-sanitizers
 check-long:
 	+$(Q)$(MAKE) --no-print-directory check-only TESTS="$(wildcard tests/long/*.sh) tests/lint/run.sh"
+	+$(Q)$(MAKE) --no-print-directory check-sanitizers
+
+# All tests in builds with the sanitizers of addresses (and leaks), of undefined behaviour and of threads, by both compilers;
+# those that cannot work there say so and are skipped.
+check-sanitizers:
+	+$(Q)failed=; for build in asan ubsan tsan; do for with in 'CC=gcc' 'CC=clang SUFFIX=-clang'; do \
+	    echo "BUILD=$$build $$with" && $(MAKE) --no-print-directory BUILD=$$build $$with check-only || failed="$$failed $$build ($$with)"; \
+	done; done; [ -z "$$failed" ] || { echo "failed:$$failed"; exit 1; }
 
 # clang-tidy and cppcheck (Debian: clang-tidy cppcheck), as tests/lint says.
 .PHONY: lint
@@ -238,7 +250,7 @@ help:
 	@echo 'make            programs and library, in build/release'
 	@echo 'make demo       installs the packages that are missing, builds, draws a drawing with eight pencils'
 	@echo 'make check      installs the packages that are missing, builds, runs all tests'
-	@echo 'make check-long valgrind, and drawings made while make is killed (Debian: valgrind)'
+	@echo 'make check-long what takes an hour: sanitizers, valgrind, failing writes and allocations (Debian: valgrind)'
 	@echo 'make lint       clang-tidy and cppcheck over all C (Debian: clang-tidy cppcheck)'
 	@echo 'make fuzz       fuzzers of the readers, in build/fuzz (clang)'
 	@echo 'make bench      speed, as ratios to rsvg-convert'

@@ -38,6 +38,7 @@ try:
     from ezdxf.addons.drawing.properties import Filling, LayoutProperties
     from ezdxf.audit import AuditError
     from ezdxf.entities import DXFTagStorage, Insert, factory
+    from ezdxf.lldxf.types import is_valid_handle
     from ezdxf.math import Vec2
     from ezdxf.path import Command, make_path
     from ezdxf.render import hatching
@@ -479,11 +480,25 @@ class Writer:
 def load_whatever(tags, doc=None, load=factory.load):
     """An entity that the library fails on becomes one that it does not know, so that the rest can be drawn."""
     try:
-        return load(tags, doc)
+        entity = load(tags, doc)
     except MemoryError:
         raise
     except Exception:
-        return DXFTagStorage.load(tags, doc)
+        entity = DXFTagStorage.load(tags, doc)
+    handle = entity.dxf.get("handle")
+    if handle is not None and (handle == "0" or not is_valid_handle(handle)):
+        entity.dxf.handle = None  # it gets another
+    return entity
+
+
+def rebuild_sections(self, tags, rebuild=recover.Recover.rebuild_sections):
+    """Without what the library fails on: sections of nothing, not even a name, and header variables without a value."""
+    *sections, outside = ([*section] for section in rebuild(self, tags))
+    for section in sections:
+        if len(section) > 1 and section[1] == (2, "HEADER"):
+            following = section[1:] + [(9, "")]
+            section[:] = [tag for tag, after in zip(section, following) if tag[0] != 9 or after[0] != 9]
+    return [section for section in sections if len(section) > 1] + [outside if len(outside) > 1 else []]
 
 
 def is_whole(data):
@@ -509,6 +524,8 @@ def read_document(data):
         line = re.search(r"\(?(?:near|at|in) line:? *(\d+)\)?", str(e))
         text = str(e).replace(line.group(0), "").strip(" .") if line else str(e).strip(" .")
         quit_with(EXIT_MALFORMED, (f"{line.group(1)}:" if line else "") + " not well-formed DXF: " + text)
+    except UnicodeDecodeError:  # of the library's message about some faulty tag
+        quit_with(EXIT_MALFORMED, "not well-formed DXF: a value that is neither a number nor text")
 
 
 def choose_layout(document):
@@ -604,6 +621,7 @@ def main():
     ezdxf.options.use_matplotlib = False
     fonts.make_font = Letters
     factory.load = load_whatever
+    recover.Recover.rebuild_sections = rebuild_sections
     out, sys.stdout = sys.stdout.buffer, io.StringIO()  # the library prints
     try:
         text = draw(sys.stdin.buffer.read()).encode("utf-8", "replace")
