@@ -21,7 +21,8 @@ static void put(uint8_t *at, uint32_t value)
 static void draw_lines(profile *p)
 {
     cairo_surface_t *page = cairo_image_surface_create(CAIRO_FORMAT_A8, 48, 24);
-    struct plb_profile holder = {.p = p};
+    struct plb_profile holder = {p, plb_api_rack_new()};
+    fuzz_require(holder.rack != NULL);
     plb_options o = plb_options_default();
     o.profile = &holder;
     o.dpi = 150;
@@ -33,6 +34,7 @@ static void draw_lines(profile *p)
             break;
     }
     cairo_surface_destroy(page);
+    plb_api_rack_free(holder.rack);
 }
 
 static void write_and_read(profile *p)
