@@ -255,7 +255,7 @@ static void time_is_shared(void)
     while (plb_process_read(&p, &data, &n)) {}
     plb_process_finish(&p);
     CHECK(p.end == PROCESS_TIMED_OUT);
-    CHECK_RANGE(spent, 7.3, 9); /* a second is left for it, whatever was spent */
+    CHECK_RANGE(spent, 7.0, 9.5); /* about a second is left for it, whatever was spent: the kernel counts roughly */
 }
 
 static void memory_is_limited(void)
