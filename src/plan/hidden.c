@@ -254,25 +254,30 @@ static const region *region_of(cover *c, area *a)
 /* Does something: true goes on to the next area. */
 typedef bool (*area_visit)(cover *c, area *a, void *closure);
 
-/* Every area whose box meets `b`, later than the one that asks, or any; false when a visit said so. */
-static bool visit(cover *c, size_t level, size_t k, box b, area_visit see, void *closure)
+/* Whether something below the node may matter: a box that meets `b`, later than the one that asks, or any. */
+static bool concerns(cover *c, const node *at, const box *b)
 {
-    const node *at = &c->nodes.v[c->level[level] + k];
     c->work++;
-    if (plb_cover_is_exhausted(c) || (c->later && at->latest <= c->asks) || at->bounds.x0 > b.x1 || at->bounds.x1 < b.x0 || at->bounds.y0 > b.y1 || at->bounds.y1 < b.y0)
-        return true;
+    bool apart = (at->bounds.x0 > b->x1) | (at->bounds.x1 < b->x0) | (at->bounds.y0 > b->y1) | (at->bounds.y1 < b->y0);
+    return !(apart | (c->later & (at->latest <= c->asks)) | plb_cover_is_exhausted(c));
+}
+
+/* Every such area below a node; false when a visit said so. */
+static bool visit(cover *c, size_t level, size_t k, const box *b, area_visit see, void *closure)
+{
     if (level == 0)
         return see(c, &c->areas.v[k], closure);
+    const node *below = c->nodes.v + c->level[level - 1];
     size_t n = c->level[level] - c->level[level - 1];
     for (size_t i = k * FAN; i < n && i < (k + 1) * FAN; i++)
-        if (!visit(c, level - 1, i, b, see, closure))
+        if (concerns(c, &below[i], b) && !visit(c, level - 1, i, b, see, closure))
             return false;
     return true;
 }
 
 static bool visit_all(cover *c, box b, area_visit see, void *closure)
 {
-    return c->areas.n == 0 || visit(c, c->levels - 1, 0, b, see, closure);
+    return c->areas.n == 0 || !concerns(c, &c->nodes.v[c->nodes.n - 1], &b) || visit(c, c->levels - 1, 0, &b, see, closure);
 }
 
 typedef struct {

@@ -45,10 +45,21 @@ static size_t band_of(const region *r, double y)
     return k <= 0 ? 0 : k >= (double)r->bands ? r->bands - 1 : (size_t)k;
 }
 
+/* Without the call that fmin and fmax are. */
+static inline double lower(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double higher(double a, double b)
+{
+    return a > b ? a : b;
+}
+
 static void band_range(const region *r, edge e, size_t *low, size_t *high)
 {
-    *low = band_of(r, fmin(e.a.y, e.b.y));
-    *high = band_of(r, fmax(e.a.y, e.b.y));
+    *low = band_of(r, lower(e.a.y, e.b.y));
+    *high = band_of(r, higher(e.a.y, e.b.y));
 }
 
 /* About four edges a band were they short, but so few bands that tall edges are listed about eight times only. */
@@ -148,12 +159,32 @@ bool plb_region_is_box(const region *r)
     return r->is_box;
 }
 
+/* Whether p lies beyond the edge's box by more than the margin. */
+static bool is_clear_of(edge e, point p, double margin)
+{
+    double more = margin + 1e-6; /* far above what rounding does */
+    return ((e.a.x > p.x + more) & (e.b.x > p.x + more)) | ((e.a.x < p.x - more) & (e.b.x < p.x - more)) |
+           ((e.a.y > p.y + more) & (e.b.y > p.y + more)) | ((e.a.y < p.y - more) & (e.b.y < p.y - more));
+}
+
 static double distance_to_edge(edge e, point p)
 {
     point d = point_sub(e.b, e.a);
     double t = point_dot(point_sub(p, e.a), d) / point_dot(d, d);
     t = t < 0 ? 0 : t > 1 ? 1 : t;
     return plb_point_distance(point_mix(e.a, e.b, t), p);
+}
+
+/* Whether the edge crosses the level of p to its right. Most lie so far aside that no division tells more; the slack is far
+ * above what rounding does. */
+static bool is_right_of(edge e, point p)
+{
+    const double slack = 1e-6;
+    if (e.a.x > p.x + slack && e.b.x > p.x + slack)
+        return true;
+    if (e.a.x < p.x - slack && e.b.x < p.x - slack)
+        return false;
+    return e.a.x + (p.y - e.a.y) / (e.b.y - e.a.y) * (e.b.x - e.a.x) > p.x;
 }
 
 static bool is_inside(const region *r, point p)
@@ -166,8 +197,7 @@ static bool is_inside(const region *r, point p)
         edge e = r->edges.v[r->listed[i]];
         if ((e.a.y <= p.y) == (e.b.y <= p.y))
             continue;
-        double x = e.a.x + (p.y - e.a.y) / (e.b.y - e.a.y) * (e.b.x - e.a.x);
-        if (x > p.x) {
+        if (is_right_of(e, p)) {
             crossed++;
             winding += e.a.y < e.b.y ? 1 : -1;
         }
@@ -180,9 +210,11 @@ static bool is_near_edge(const region *r, point p, double margin)
     if (r->edges.n == 0)
         return false;
     for (size_t k = band_of(r, p.y - margin), last = band_of(r, p.y + margin); k <= last; k++)
-        for (size_t i = r->first[k]; i < r->first[k + 1]; i++)
-            if (distance_to_edge(r->edges.v[r->listed[i]], p) <= margin)
+        for (size_t i = r->first[k]; i < r->first[k + 1]; i++) {
+            edge e = r->edges.v[r->listed[i]];
+            if (!is_clear_of(e, p, margin) && distance_to_edge(e, p) <= margin)
                 return true;
+        }
     return false;
 }
 
@@ -198,28 +230,41 @@ bool plb_region_covers(const region *r, point p, double margin)
 
 double plb_region_work(const region *r, point from, point to)
 {
-    size_t low = band_of(r, fmin(from.y, to.y)), high = band_of(r, fmax(from.y, to.y));
+    size_t low = band_of(r, lower(from.y, to.y)), high = band_of(r, higher(from.y, to.y));
     return r->edges.n ? 4 + (double)(r->first[high + 1] - r->first[low]) : 1;
+}
+
+/* Where edge and segment meet, if they do: signs and sizes tell it before anything is divided. */
+static bool meets(edge e, point from, point d, double *at)
+{
+    point s = point_sub(e.b, e.a), w = point_sub(e.a, from);
+    double det = point_cross(d, s), t = point_cross(w, s), u = point_cross(w, d), size = fabs(det);
+    double t_size = det < 0 ? -t : t, u_size = det < 0 ? -u : u;
+    if (!((t_size > 0) & (t_size < size) & (u_size >= 0) & (u_size <= size)))
+        return false;
+    *at = t / det;
+    return true;
+}
+
+/* An edge is listed in several bands: it counts in the first that the segment passes, too. */
+static bool is_first_band(const region *r, edge e, size_t segment_low, size_t k)
+{
+    size_t low, high;
+    band_range(r, e, &low, &high);
+    return k == (low > segment_low ? low : segment_low);
 }
 
 bool plb_region_cross(const region *r, point from, point to, crossings *at)
 {
     point d = point_sub(to, from);
-    double low = fmin(from.y, to.y), high = fmax(from.y, to.y);
+    double low = lower(from.y, to.y), high = higher(from.y, to.y), t;
     if (high < r->bounds.y0 || low > r->bounds.y1 || r->edges.n == 0)
         return true;
-    for (size_t k = band_of(r, low), last = band_of(r, high); k <= last; k++)
+    size_t first = band_of(r, low), last = band_of(r, high);
+    for (size_t k = first; k <= last; k++)
         for (size_t i = r->first[k]; i < r->first[k + 1]; i++) {
             edge e = r->edges.v[r->listed[i]];
-            point s = point_sub(e.b, e.a), w = point_sub(e.a, from);
-            double det = point_cross(d, s);
-            if (det == 0)
-                continue;
-            double t = point_cross(w, s) / det, u = point_cross(w, d) / det;
-            size_t edge_low, edge_high, segment_low = band_of(r, low);
-            band_range(r, e, &edge_low, &edge_high);
-            bool first = k == (edge_low > segment_low ? edge_low : segment_low); /* counted once, not in every band */
-            if (first && t > 0 && t < 1 && u >= 0 && u <= 1 && !array_push(at, t))
+            if (meets(e, from, d, &t) && is_first_band(r, e, first, k) && !array_push(at, t))
                 return false;
         }
     return true;
