@@ -42,7 +42,7 @@ static inline lanes lanes_high(lanes a, lanes b)
 #if LANES_NATIVE
     return (lanes)_mm_mulhi_epi16((__m128i)a, (__m128i)b);
 #else
-    lanes v;
+    lanes v = {0};
     for (int i = 0; i < LANES; i++)
         v[i] = (int16_t)((a[i] * b[i]) >> 16);
     return v;
@@ -66,7 +66,7 @@ static inline lanes lanes_of_bytes(const int8_t *from)
 #if LANES_NATIVE
     return (lanes)_mm_unpacklo_epi8(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)from));
 #else
-    lanes v;
+    lanes v = {0};
     for (int i = 0; i < LANES; i++)
         v[i] = (int16_t)(from[i] * 256);
     return v;
