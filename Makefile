@@ -101,7 +101,7 @@ $(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/tap-flags
 	$(say) CC $<
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS_ALL) $(shell pkg-config --cflags $(packages_tap)) -c $< -o $@
-$(O)/tap-svg: $(O)/tap/tap_svg.o $(O)/tap/tap_losses.o $(O)/tap/tap_page.o
+$(O)/tap-svg: $(O)/tap/tap_svg.o $(O)/tap/tap_losses.o $(O)/tap/tap_memory.o $(O)/tap/tap_page.o
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_tap) $(filter %.o,$^) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
 $(O)/tap-plain: $(O)/tap/tap_plain.o $(plain_obj)

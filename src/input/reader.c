@@ -6,11 +6,19 @@
 
 #include <string.h>
 
-#define CANNOT_START 127 /* a program's exit status when its libraries cannot be loaded */
+/* Exit statuses: of tap-svg when it has no memory (tap_memory.h), of all programs when their libraries cannot be loaded. */
+enum { OUT_OF_MEMORY = 125, CANNOT_START = 127 };
 
 static bool ran_out_of_memory(const process *p)
 {
-    static const char *const words[] = {"memory allocation of", "failed to allocate", "ut of memory", "VMerror", "failed to map segment", NULL};
+    static const char *const words[] = {
+        "memory allocation of", "failed to allocate", "ut of memory", "VMerror", /* Rust, libraries, Ghostscript */
+        "failed to map segment", "annot allocate", "cannot map",                 /* the loader */
+        "Error creating thread",                                                 /* GLib: no room for its stack */
+        NULL,
+    };
+    if (p->end == PROCESS_EXITED && p->code != OUT_OF_MEMORY && p->code != CANNOT_START)
+        return false;
     for (int i = 0; words[i]; i++)
         if (strstr(p->message, words[i]))
             return true;
@@ -21,7 +29,7 @@ bool plb_reader_ended_by_itself(const input_source *in, const char *who, const p
 {
     if (p->end == PROCESS_TIMED_OUT)
         return plb_fail(err, ERROR_LIMIT, "%s: %s needs more than %g seconds for this drawing", in->name, who, p->limits.seconds);
-    if ((p->end == PROCESS_CRASHED || p->code == CANNOT_START) && ran_out_of_memory(p))
+    if (ran_out_of_memory(p))
         return plb_fail(err, ERROR_LIMIT, "%s: %s needs more than %zu MB for this drawing", in->name, who, p->limits.memory >> 20);
     if (p->end == PROCESS_CRASHED)
         return plb_fail(err, ERROR_HELPER, "%s: %s dies on this drawing (signal %d)", in->name, who, p->code);
