@@ -42,7 +42,8 @@ CFLAGS_ALL = -std=c17 $(WARN) -fPIC -ffp-contract=off -fno-math-errno -fno-trapp
 LDFLAGS_release = -pie -Wl,-z,relro,-z,now,-z,noexecstack
 LDFLAGS_ALL = $(filter -fsanitize=% --coverage,$(flags_$(BUILD))) $(LDFLAGS_$(BUILD)) $(LDFLAGS)
 
-# The thread sanitizer would judge the threads of librsvg's libraries, which it cannot see into; the taps have none.
+# The thread sanitizer would judge the threads of librsvg's libraries, which it cannot see into: neither compiled nor linked
+# with it. The taps have none of their own.
 CFLAGS_tap  = $(if $(filter tsan,$(BUILD)),-fno-sanitize=thread)
 LDFLAGS_tap = $(filter-out -fsanitize=thread,$(LDFLAGS_ALL))
 
@@ -96,11 +97,11 @@ $(O)/plumbago $(O)/plumbago-profile:
 plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain_*.c)) $(O)/tap/tap_page.o
 tap_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/*.c))
 $(O)/tap-flags: FORCE
-	@mkdir -p $(@D) && echo '$(CC) $(CFLAGS_ALL) $(LDFLAGS_ALL)' | cmp -s - $@ || echo '$(CC) $(CFLAGS_ALL) $(LDFLAGS_ALL)' > $@
+	@mkdir -p $(@D) && echo '$(CC) $(CFLAGS_ALL) $(CFLAGS_tap) $(LDFLAGS_ALL)' | cmp -s - $@ || echo '$(CC) $(CFLAGS_ALL) $(CFLAGS_tap) $(LDFLAGS_ALL)' > $@
 $(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/tap-flags
 	$(say) CC $<
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS_ALL) $(shell pkg-config --cflags $(packages_tap)) -c $< -o $@
+	$(Q)$(CC) $(CFLAGS_ALL) $(CFLAGS_tap) $(shell pkg-config --cflags $(packages_tap)) -c $< -o $@
 $(O)/tap-svg: $(O)/tap/tap_svg.o $(O)/tap/tap_losses.o $(O)/tap/tap_memory.o $(O)/tap/tap_page.o
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_tap) $(filter %.o,$^) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
