@@ -491,14 +491,36 @@ def load_whatever(tags, doc=None, load=factory.load):
     return entity
 
 
+# Header variables that the library asks for unseen, and the codes of their values, which are text.
+VARIABLES = {"$ACADVER": 1, "$DWGCODEPAGE": 3, "$HANDSEED": 5}
+
+
+def sane_variables(tags):
+    """Of header variables those that have a name and a value, of one group or, for a point, up to three."""
+    groups, kept = [], []
+    for tag in tags:
+        if tag[0] == 9:
+            groups.append([tag])
+        elif groups:
+            groups[-1].append(tag)
+    for name, *values in groups:
+        code = values[0][0] if values else 0
+        if code == 0 or not str(name[1]).startswith("$") or VARIABLES.get(name[1], code) != code:
+            continue
+        n = 1
+        while n < min(3, len(values)) and 10 <= code <= 18 and values[n][0] == code + 10 * n:
+            n += 1
+        kept += [name, *values[:n]]
+    return kept
+
+
 def rebuild_sections(self, tags, rebuild=recover.Recover.rebuild_sections):
-    """Without what the library fails on: sections of nothing, not even a name, and header variables without a value."""
-    *sections, outside = ([*section] for section in rebuild(self, tags))
-    for section in sections:
-        if len(section) > 1 and section[1] == (2, "HEADER"):
-            following = section[1:] + [(9, "")]
-            section[:] = [tag for tag, after in zip(section, following) if tag[0] != 9 or after[0] != 9]
-    return [section for section in sections if len(section) > 1] + [outside if len(outside) > 1 else []]
+    """Without what the library fails on: sections of nothing, not even a name, and header variables that are none."""
+    sections = [[*section] for section in rebuild(self, tags)]
+    if sections[-1][:1] != [(0, "SECTION")]:  # what stands outside of all; variables are looked for there, too
+        sections[-1] = sane_variables(sections[-1])
+    sections = [section[:2] + sane_variables(section[2:]) if section[1:2] == [(2, "HEADER")] else section for section in sections]
+    return [section for section in sections[:-1] if len(section) > 1] + [sections[-1] if len(sections[-1]) > 1 else []]
 
 
 def is_whole(data):

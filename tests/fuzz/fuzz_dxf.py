@@ -20,7 +20,7 @@ import time
 import xml.parsers.expat
 
 SECONDS, MEMORY, OUTPUT_MOST = 8, 1 << 30, 256 << 20  # as process.h, input.h
-STATUS_DONE, STATUSES = 0, (0, 2, 3, 5)               # tap_dxf.py: done, malformed, refused, limit
+STATUS_DONE, STATUS_REFUSED, STATUSES = 0, 3, (0, 2, 3, 5)  # tap_dxf.py: done, malformed, refused, limit
 HEAD = re.compile(rb"%%Plumbago-tap-dxf 1 ([0-9.e+-]+)\n")
 
 
@@ -235,6 +235,8 @@ def replay(tap, files):
         with open(file, "rb") as f:
             status, output, messages, _ = run(tap, f.read())
         fault = fault_of(status, output, messages)
+        if not fault and status == STATUS_REFUSED:  # once mended, it is mended
+            fault = f"refused: {messages[:300]!r}"
         print(f"FAIL {os.path.basename(file)}: {fault}" if fault else f"ok dxf: {os.path.basename(file)}", flush=True)
 
 
@@ -247,9 +249,9 @@ def fuzz(tap, seconds, seed, folder, files):
         spent, tried = spent + used, tried + 1
         fault = fault_of(status, output, messages)
         kind = "fault" if fault else f"status {status}"
-        if not fault and status == 3:  # a surprise: one fault should not cost the whole drawing
+        if not fault and status == STATUS_REFUSED:  # a surprise: one fault should not cost the whole drawing
             kind = re.sub(r"'[^']*'|[0-9]+", "_", messages.decode("utf-8", "replace").strip())[:120]
-        if (fault or status is None or status < 0 or status == 3 or used > SECONDS / 2) and (fault or kind) not in said:
+        if (fault or status is None or status < 0 or status == STATUS_REFUSED or used > SECONDS / 2) and (fault or kind) not in said:
             said.add(fault or kind)
             name = f"{folder}/{seed}-{tried}.dxf"
             with open(name, "wb") as f:

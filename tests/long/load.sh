@@ -27,8 +27,14 @@ for ((i = 0; i < ${#usable[@]}; i++)); do ln -s "${usable[i]}" "in-$i"; done
 mkdir calm storm
 for d in calm storm; do cp -P Makefile in-* $d; done
 
-(cd calm && make -s -j2 >"$TMP/calm" 2>&1)
-is "nobody disturbs: make succeeds" $? 0
+# made WHERE: make's exit status there, and its first words where it fails
+made() {
+    local code said
+    said=$(cd "$1" && make -s -j2 2>&1)
+    code=$?
+    if [ $code -eq 0 ]; then echo 0; else echo "$code: $(grep -v -m 1 '^make' <<<"$said")"; fi
+}
+is "nobody disturbs: make succeeds" "$(made calm)" 0
 
 # compare: every PNG in storm is the one in calm
 compare() { local f bad=''; for f in storm/*.png; do [ ! -e "$f" ] || cmp -s "$f" "calm/${f##*/}" || bad="$bad ${f##*/}"; done; echo "$bad"; }
@@ -46,8 +52,7 @@ for ((k = 0; k < kills; k++)); do
 done
 if [ $done_kills -gt 0 ]; then ok "make was killed $done_kills times, with $killed processes"; else fail "make was killed" "it was done before each time: more LOAD"; fi
 is "between kills nothing is half done" "$broken" ""
-(cd storm && make -s -j2 >"$TMP/storm" 2>&1)
-is "once more: make succeeds" $? 0
+is "once more: make succeeds" "$(made storm)" 0
 is "once more: all are there" "$(find storm -name '*.png' | wc -l)" "$count"
 is "once more: all are the same as undisturbed" "$(compare)" ""
 is "nothing else is left" "$(find storm -name '.plumbago*' | wc -l)" 0
