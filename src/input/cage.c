@@ -68,15 +68,21 @@ static bool allow(int rules, int version, const char *path, uint64_t what)
     return ok;
 }
 
-/* A script's interpreter, and what that may start by `env`, lie in the folders of programs. */
-static bool is_script(const char *program)
+/* Of a script: its interpreter, by its first line. The kernel starts that itself, so the script is all that is ever given to
+ * execve; what needs more (env, a wrapper) does not start. */
+static bool find_interpreter(const char *program, char path[CAGE_PATH_MAX])
 {
-    char sign[2] = "";
     int fd = open(program, O_RDONLY | O_CLOEXEC);
-    bool is = fd >= 0 && read(fd, sign, 2) == 2 && sign[0] == '#' && sign[1] == '!';
+    ssize_t n = fd >= 0 ? read(fd, path, CAGE_PATH_MAX - 1) : 0;
     if (fd >= 0)
         close(fd);
-    return is;
+    path[n > 0 ? n : 0] = '\0';
+    if (path[0] != '#' || path[1] != '!')
+        return false;
+    size_t start = 2 + strspn(path + 2, " \t"), length = strcspn(path + start, " \t\r\n");
+    memmove(path, path + start, length);
+    path[length] = '\0';
+    return length > 0;
 }
 
 /* Libraries, fonts, what programs bring along; and the loaders, which the kernel executes. */
@@ -90,7 +96,6 @@ static const char *const loaders[] = {
     "/lib64/ld64.so.2", "/lib/ld64.so.1", "/lib/ld-linux-riscv64-lp64d.so.1", "/lib/ld-musl-x86_64.so.1",
     "/lib/ld-musl-aarch64.so.1", "/nix/store", "/gnu/store", NULL,
 };
-static const char *const programs[] = {"/usr/bin", "/bin", "/usr/local/bin", NULL};
 
 static bool allow_all(int rules, int version, const char *const *paths, uint64_t what)
 {
@@ -103,10 +108,11 @@ static bool allow_all(int rules, int version, const char *const *paths, uint64_t
 static bool allow_files(const cage *c, int rules)
 {
     int v = c->landlock;
+    char interpreter[CAGE_PATH_MAX];
     bool ok = allow_all(rules, v, readable, READING) && allow_all(rules, v, loaders, READING | EXECUTE) &&
               allow(rules, v, c->program, READ_FILE | EXECUTE) && allow(rules, v, "/dev/null", READ_FILE | WRITE_FILE);
-    if (is_script(c->program))
-        ok = ok && allow_all(rules, v, programs, READING | EXECUTE);
+    if (find_interpreter(c->program, interpreter))
+        ok = ok && allow(rules, v, interpreter, READ_FILE | EXECUTE);
     if (SECCOMP_IS_OFF) /* a sanitizer reads its own memory's map */
         ok = ok && allow(rules, v, "/proc", READING);
     for (int i = 0; i < CAGE_FONT_PATHS; i++)
@@ -165,7 +171,7 @@ bool plb_cage_enter(const cage *c)
         return true;
     if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || (c->landlock && !restrict_files(c)))
         return false;
-    return !c->seccomp || plb_seccomp_enter(is_script(c->program) ? NULL : c->program, c->scratch != NULL);
+    return !c->seccomp || plb_seccomp_enter(c->program, c->scratch != NULL);
 }
 
 const char *plb_cage_name(const cage *c)

@@ -44,7 +44,7 @@ typedef struct {
     cage cage;
     const char *program;
     const char *const *argv;
-    char path[24], locale[12], folder[1100];
+    char path[24], locale[12], hashing[24], folder[1100];
     char *environment[ENVIRONMENT_MAX + 1];
 } child_plan;
 
@@ -65,6 +65,8 @@ static void plan_environment(child_plan *plan)
     strcpy(plan->locale, "LC_ALL=C");
     plan->environment[n++] = plan->path;
     plan->environment[n++] = plan->locale;
+    strcpy(plan->hashing, "PYTHONHASHSEED=0"); /* the same output every time, of Python too */
+    plan->environment[n++] = plan->hashing;
     if (plan->limits.scratch && snprintf(plan->folder, sizeof plan->folder, "TMPDIR=%s", plan->limits.scratch) > 0)
         plan->environment[n++] = plan->folder;
     for (char **e = environ; e && *e && n < ENVIRONMENT_MAX; e++)

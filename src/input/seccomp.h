@@ -20,7 +20,7 @@
 #endif
 
 bool plb_seccomp_is_there(void);
-/* Sets the filter; `program` is the only pointer that execve takes from now on, NULL: any; `writes`: files may be
+/* Sets the filter; `program` is the only pointer that execve takes from now on; `writes`: files may be
  * made, opened for writing and removed (where Landlock lets them). */
 bool plb_seccomp_enter(const char *program, bool writes);
 

@@ -1,4 +1,4 @@
-#!/usr/bin/env -S PYTHONHASHSEED=0 /usr/bin/python3 -sBP
+#!/usr/bin/python3 -sBP
 # SPDX-License-Identifier: MIT
 """tap-dxf: DXF on descriptor 0 becomes SVG on descriptor 1, sized in millimetres on paper.
 

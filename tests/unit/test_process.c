@@ -10,6 +10,7 @@
 
 #include <errno.h>
 #include <signal.h>
+#include <sys/stat.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -218,6 +219,29 @@ static void scratch_is_the_only_place(void)
     remove("/tmp/plumbago-outside");
 }
 
+/* A script's interpreter is started with it, and then nothing else: neither the program it names nor itself. */
+static void scripts_start_nothing(void)
+{
+    static const char text[] = "#!/bin/sh\necho in\nexec /usr/bin/env echo out\n";
+    char script[] = "/tmp/plumbago-script-XXXXXX";
+    int fd = mkstemp(script);
+    CHECK(write(fd, text, sizeof text - 1) == (ssize_t)sizeof text - 1 && fchmod(fd, 0700) == 0 && close(fd) == 0);
+    for (int caged = 0; caged < 2; caged++) {
+        const char *argv[] = {"script", NULL}, *data;
+        process p;
+        size_t n, bytes = 0;
+        error err = {0};
+        CHECK(plb_process_start(&p, script, argv, "", 0, caged ? NULL : &loose, &err));
+        while (plb_process_read(&p, &data, &n))
+            bytes += n;
+        plb_process_finish(&p);
+        bool is_held = caged && (strstr(p.cage, "Landlock") || strstr(p.cage, "seccomp"));
+        CHECK(p.end == PROCESS_EXITED && (p.code != 0) == is_held);
+        CHECK(bytes == (is_held ? strlen("in\n") : strlen("in\nout\n")));
+    }
+    CHECK(unlink(script) == 0);
+}
+
 /* Neither silence nor a trickle keeps us: the clock counts, too. */
 static void the_clock_counts(void)
 {
@@ -306,6 +330,7 @@ int main(void)
     RUN(the_burglar_burgles);
     RUN(the_cage_holds);
     RUN(scratch_is_the_only_place);
+    RUN(scripts_start_nothing);
     RUN(the_clock_counts);
     RUN(time_is_shared);
     RUN(memory_is_limited);
