@@ -47,8 +47,9 @@ LDFLAGS_ALL = $(filter -fsanitize=% --coverage,$(flags_$(BUILD))) $(LDFLAGS_$(BU
 CFLAGS_tap  = $(if $(filter tsan,$(BUILD)),-fno-sanitize=thread)
 LDFLAGS_tap = $(filter-out -fsanitize=thread,$(LDFLAGS_ALL))
 
-# The inner loops of the texture are written for the compiler's vectors.
+# The inner loops of the texture and of the page are written for the compiler's vectors.
 CFLAGS_stroke = $(if $(filter release,$(BUILD)),-O3)
+CFLAGS_surface = $(CFLAGS_stroke)
 
 layers   = base list profile input plan stroke surface api
 lib_src  = $(foreach d,$(layers),$(wildcard src/$(d)/*.c))

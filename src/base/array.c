@@ -1,8 +1,10 @@
 /* SPDX-License-Identifier: MIT */
+#define _DEFAULT_SOURCE /* madvise */
 #include "base/array.h"
 
 #include <stdint.h>
 #include <stdlib.h>
+#include <sys/mman.h>
 
 /* The test build for failing allocations: the test says which of them succeeds. */
 #ifdef PLB_TEST_ALLOCATIONS
@@ -33,6 +35,20 @@ bool plb_array_grow(void **v, size_t n, size_t *room, size_t extra, size_t size)
 void *plb_new(size_t n, size_t size)
 {
     return MAY_ALLOCATE ? calloc(n ? n : 1, size) : NULL;
+}
+
+/* Of the processors at hand; where they are larger, the advice is for naught. */
+#define LARGE_PAGE ((uintptr_t)2 << 20)
+
+void *plb_new_large(size_t n, size_t size)
+{
+    void *p = plb_new(n, size);
+#ifdef MADV_HUGEPAGE
+    uintptr_t first = ((uintptr_t)p + LARGE_PAGE - 1) & ~(LARGE_PAGE - 1), end = ((uintptr_t)p + n * size) & ~(LARGE_PAGE - 1);
+    if (p && first < end)
+        (void)madvise((void *)first, end - first, MADV_HUGEPAGE); /* else small ones */
+#endif
+    return p;
 }
 
 void plb_free(void *p)

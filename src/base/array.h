@@ -27,6 +27,8 @@
 bool plb_array_grow(void **v, size_t n, size_t *room, size_t extra, size_t size);
 /* Zeroed room for `n` elements of `size` bytes, owned by the caller; NULL on overflow or when out of memory. */
 void *plb_new(size_t n, size_t size);
+/* The same, asked of the system in large pages where it has them: for what is used all over, as one likes. */
+void *plb_new_large(size_t n, size_t size);
 void plb_free(void *p);
 
 #endif

@@ -60,6 +60,18 @@ static inline lanes lanes_within(lanes v, int16_t low, int16_t high)
 #endif
 }
 
+/* Adds to numbers without a sign; sums beyond are cut to 65535. */
+static inline void lanes_add_within(uint16_t *to, const uint16_t *more)
+{
+#if LANES_NATIVE
+    __m128i sum = _mm_adds_epu16(_mm_loadu_si128((const __m128i *)(const void *)to), _mm_loadu_si128((const __m128i *)(const void *)more));
+    _mm_storeu_si128((__m128i *)(void *)to, sum);
+#else
+    for (int i = 0; i < LANES; i++)
+        to[i] = (uint16_t)(to[i] + more[i] > 65535 ? 65535 : to[i] + more[i]);
+#endif
+}
+
 /* Bytes, each times 256. */
 static inline lanes lanes_of_bytes(const int8_t *from)
 {

@@ -5,6 +5,7 @@
 #include "surface/page.h"
 
 #include "base/array.h"
+#include "base/lanes.h"
 
 #include <math.h>
 #include <string.h>
@@ -21,8 +22,8 @@
 /* Rows that one lock guards: threads seldom meet, and a patch takes one to three. */
 #define STRIPE 64
 
-/* A stroke's rows lie far apart in memory: each is asked for so many rows before it is needed. */
-#define AHEAD 8
+/* Rows of a patch that are laid together. */
+#define TOGETHER 16
 
 /* From the bounds, not from the darkest pixel ever scanned: that may be a speck of dust. */
 static int darkest_of(const profile *p)
@@ -113,7 +114,9 @@ bool plb_page_init(page *p, int width, int height, int rows, bool colour, const 
     memset(p, 0, sizeof *p);
     rows = rows > height ? height : rows;
     *p = (page){.width = width, .height = height, .most_rows = rows, .planes = colour ? PIGMENT_PLANES : 1, .ink = ink};
-    p->deposit = plb_new((size_t)width * (size_t)rows, (size_t)p->planes * sizeof *p->deposit);
+    p->stride = (size_t)width + PAGE_ROW_PAD;
+    p->plane = p->stride * (size_t)rows;
+    p->deposit = plb_new_large(p->plane, (size_t)p->planes * sizeof *p->deposit);
     p->marked = plb_new((size_t)rows, sizeof *p->marked);
     p->lock = plb_new((size_t)(rows / STRIPE + 1), sizeof *p->lock);
     if (!p->deposit || !p->marked || !p->lock)
@@ -137,7 +140,7 @@ void plb_page_free(page *p)
 
 static uint16_t *row_of(const page *p, int plane, int y)
 {
-    return p->deposit + ((size_t)plane * (size_t)p->most_rows + (size_t)(y - p->top)) * (size_t)p->width;
+    return p->deposit + (size_t)plane * p->plane + (size_t)(y - p->top) * p->stride;
 }
 
 bool plb_page_next_band(page *p)
@@ -153,24 +156,19 @@ bool plb_page_next_band(page *p)
     return true;
 }
 
-/* Looked up first, then added: the second loop fits vectors. */
-static void lay_row(const uint16_t deposit[256], const uint8_t *grey, uint16_t *restrict to, int n)
-{
-    uint16_t more[PATCH_SIDE];
-    for (int x = 0; x < n; x++)
-        more[x] = deposit[grey[x]];
-    for (int x = 0; x < n; x++) {
-        uint16_t sum = (uint16_t)(to[x] + more[x]);
-        to[x] = sum < more[x] ? 65535 : sum;
-    }
-}
+/* A row of a patch on its way to the page. */
+typedef struct {
+    const uint8_t *grey;
+    size_t at; /* of the page's plane */
+    int n;
+} laid_row;
 
-/* Rows y0 to y1 of the page, all in one stripe. */
-static void lay_rows(page *p, const patch *from, const pigment *with, int y0, int y1)
+/* Rows y0 to y1 of the page, those that the patch marks. Each lies far from the one before in memory: both its ends are asked
+ * for before they are needed. */
+static int find_rows(page *p, const patch *from, int y0, int y1, laid_row out[TOGETHER])
 {
+    int n = 0;
     for (int y = y0; y < y1; y++) {
-        if (y + AHEAD < y1)
-            __builtin_prefetch(row_of(p, 0, y + AHEAD) + from->x + from->from[y + AHEAD - from->y], 1);
         int x0 = from->x + from->from[y - from->y], x1 = from->x + from->to[y - from->y];
         x0 = x0 < 0 ? 0 : x0;
         x1 = x1 > p->width ? p->width : x1;
@@ -179,9 +177,41 @@ static void lay_rows(page *p, const patch *from, const pigment *with, int y0, in
         row_extent *e = &p->marked[y - p->top];
         e->from = x0 < e->from ? x0 : e->from;
         e->to = x1 > e->to ? x1 : e->to;
-        const uint8_t *grey = from->grey + (y - from->y) * from->width + (x0 - from->x);
+        size_t at = (size_t)(y - p->top) * p->stride + (size_t)x0;
+        for (int k = 0; k < p->planes; k++) {
+            const uint16_t *to = p->deposit + (size_t)k * p->plane + at;
+            __builtin_prefetch(to, 1);
+            __builtin_prefetch(to + (x1 - x0), 1);
+        }
+        out[n++] = (laid_row){from->grey + (y - from->y) * from->width + (x0 - from->x), at, x1 - x0};
+    }
+    return n;
+}
+
+/* Looked up for some rows, then added to them: the sums are of LANES at a time, the last ones of nothing. */
+static void lay_plane(uint16_t *plane, const uint16_t deposit[256], const laid_row *rows, int n)
+{
+    uint16_t more[TOGETHER][PATCH_SIDE + LANES];
+    for (int k = 0; k < n; k++) {
+        const uint8_t *grey = rows[k].grey;
+        for (int x = 0; x < rows[k].n; x++)
+            more[k][x] = deposit[grey[x]];
+        memset(more[k] + rows[k].n, 0, LANES * sizeof more[k][0]);
+    }
+    for (int k = 0; k < n; k++)
+        for (int x = 0; x < rows[k].n; x += LANES)
+            lanes_add_within(plane + rows[k].at + x, more[k] + x);
+}
+_Static_assert(PAGE_ROW_PAD >= LANES, "the last sums of a row stay within it");
+
+/* Rows y0 to y1 of the page, all in one stripe. */
+static void lay_rows(page *p, const patch *from, const pigment *with, int y0, int y1)
+{
+    for (int y = y0; y < y1; y += TOGETHER) {
+        laid_row rows[TOGETHER];
+        int n = find_rows(p, from, y, y + TOGETHER < y1 ? y + TOGETHER : y1, rows);
         for (int k = 0; k < p->planes; k++)
-            lay_row(p->planes > 1 ? with->deposit[k] : p->ink->deposit, grey, row_of(p, k, y) + x0, x1 - x0);
+            lay_plane(p->deposit + (size_t)k * p->plane, p->planes > 1 ? with->deposit[k] : p->ink->deposit, rows, n);
     }
 }
 

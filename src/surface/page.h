@@ -40,12 +40,16 @@ typedef struct {
     int from, to;
 } row_extent;
 
+/* Deposits behind each row, so that it may be worked on in whole registers. */
+#define PAGE_ROW_PAD 8
+
 typedef struct {
     int width, height;   /* of the whole page, pixels */
     int top, rows;       /* the band in memory: rows [top, top + rows) */
     int most_rows;       /* that a band can have */
     int planes;          /* 1: grey, 3: red, green, blue */
-    uint16_t *deposit;   /* plane by plane, row by row */
+    size_t stride, plane; /* of a row, and of all rows of a plane */
+    uint16_t *deposit;   /* plane by plane, row by row; those of the pad stay 0 */
     row_extent *marked;  /* of each row */
     pthread_mutex_t *lock; /* of each stripe of rows */
     int locks;

@@ -13,7 +13,7 @@ int plb_page_channels(page_background background, bool colour)
 
 static const uint16_t *row_of(const page *p, int plane, int y)
 {
-    return p->deposit + ((size_t)plane * (size_t)p->most_rows + (size_t)(y - p->top)) * (size_t)p->width;
+    return p->deposit + (size_t)plane * p->plane + (size_t)(y - p->top) * p->stride;
 }
 
 /* How opaque graphite or pigment must be that darkens white to `grey`. */

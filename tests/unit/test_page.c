@@ -121,11 +121,11 @@ static void deposits_darken_and_saturate(void)
     int before = 255;
     for (int k = 0; k < 50; k++) {
         plb_page_lay(&p, &dot, NULL);
-        int now = ink.grey[p.deposit[6 * 8]];
+        int now = ink.grey[p.deposit[6 * p.stride]];
         CHECK(now <= before && (now < before || k > 3));
         before = now;
     }
-    CHECK(before == ink.darkest && p.deposit[5 * 8] == 0 && p.deposit[6 * 8 + 2] == 0);
+    CHECK(before == ink.darkest && p.deposit[5 * p.stride] == 0 && p.deposit[6 * p.stride + 2] == 0);
     plb_page_free(&p);
     int w, h;
     CHECK(!plb_page_size(1e9, 1e9, &w, &h, NULL));
