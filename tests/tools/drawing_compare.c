@@ -184,8 +184,11 @@ int main(int argc, char **argv)
             drawn[i] = drawing.grey[i] <= 255 - DRAWN;
             areas += is_area;
         }
-    double recall = share_near(wanted, distances(drawn, width, height), &lines);
-    double precision = share_near(drawn, distances(shown, width, height), &ink);
+    distance_map from_drawn = distances(drawn, width, height), from_shown = distances(shown, width, height);
+    double recall = share_near(wanted, from_drawn, &lines), precision = share_near(drawn, from_shown, &ink);
     printf("recall %.4f precision %.4f tone %.4f print %ld areas %ld drawing %ld\n", recall, precision, compare_tones(ground, drawing, darkest), lines, areas, ink);
+    void *held[] = {a.grey, b.grey, print.grey, drawing.grey, ground.grey, wanted, shown, drawn, from_drawn.d, from_shown.d};
+    for (size_t i = 0; i < sizeof held / sizeof *held; i++)
+        free(held[i]);
     return 0;
 }
