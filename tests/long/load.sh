@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Real load: LOAD drawings (200) through `make -j2`, killed at random moments until it has been killed KILLS times (8). What
-# there is between, and after `make` once more, is complete and the same as of a run that nobody disturbs.
+# there is between, and after `make` once more, is complete and the same as of a run that nobody disturbs. (2,000 take longer
+# than a test may: TEST_TIMEOUT=4000 LOAD=2000 KILLS=30 LOAD_SECONDS=12 tests/run build/release tests/long/load.sh)
 . "$ROOT/tests/check.sh"
 count=${LOAD:-200} kills=${KILLS:-8} RANDOM=${LOAD_SEED:-1}
 mapfile -t drawings < <(find "$ROOT/examples" "$ROOT/tests/image" -name '*.svg'; find "$SHARED/corpus" -path '*/hostile' -prune -o -size -60k \( -name '*.svg' -o -name '*.eps' -o -name '*.ps' -o -name '*.pdf' \) -print 2>/dev/null)
