@@ -17,6 +17,8 @@
 #define MOST_OF_STROKE 0.9
 /* Directions that differ by more than this are no doubles. */
 #define TURN_DEGREES 5.7
+/* … of lines as upright as this the one may lead to the right, the other to the left: the sine of twice that. */
+#define UPRIGHT 0.2
 /* Segments are kept apart on the grid by their direction: in so many parts of half a turn. */
 #define DIRECTIONS 8
 /* The earlier line must be drawn at least this strongly to stand for the later one. */
@@ -81,20 +83,52 @@ static bool overlap(const undoubler *u, point a, point along, double length, con
     return to - from > 1e-9;
 }
 
+/* How far the middle of a cell lies from a line through a along a unit vector, to the side that is the same for all lines of
+ * about that direction, whichever way they are drawn: the mark of the line's entry in that cell. */
+static double mark_of(const grid *g, point a, point along, int64_t column, int64_t row)
+{
+    point middle = {((double)column + 0.5) * g->cell, ((double)row + 0.5) * g->cell};
+    double aside = point_cross(along, point_sub(middle, a));
+    return along.x < 0 ? -aside : aside;
+}
+
+/* Lines of about one direction have marks as far apart as they are at most, and by their turn across half a cell a little more. */
+static double most_apart(const undoubler *u)
+{
+    double turn = 2 * sin(TURN_DEGREES / 2 * PLB_PI / 180), half_cell = u->where.cell * sqrt(0.5);
+    return u->tolerance + turn * half_cell + 1e-5 * u->where.cell; /* and marks are rounded */
+}
+
 /* A segment and where it begins: its start, unit direction, length and the stroke's arc length there. */
 typedef struct {
     touch like;
     point a, along;
     double length, start;
+    int64_t part[2];  /* of the directions that are near enough */
+    double apart;     /* how far others' marks may be from its own */
+    bool either_way;  /* upright: what is one side of another may be the other of this */
+    size_t looks;
 } question;
 
-/* Collects the runs that earlier segments of one cell and one part of the directions make. */
-static bool find_in_cell(undoubler *u, const question *q, int64_t column, int64_t row, size_t *looks)
+/* What lies in a cell: the entry to be looked at next, and the asking segment's mark there. Chains lie all over the memory: some
+ * are followed at once, and each next entry is asked for a round before it is needed. */
+#define AT_ONCE 32
+typedef struct {
+    uint32_t next;
+    double mark;
+} chain;
+
+static bool is_apart(const question *q, double own, double mark)
 {
-    for (uint32_t k = plb_grid_first(&u->where, column, row); k != GRID_END && *looks < MOST_LOOKS; k = u->where.entries.v[k].next) {
-        const drawn *d = &u->segments.v[u->where.entries.v[k].value];
+    double same = fabs(own - mark), other = q->either_way ? fabs(own + mark) : same;
+    return same > q->apart && other > q->apart;
+}
+
+static bool add_runs(undoubler *u, const question *q, const uint32_t *found, size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        const drawn *d = &u->segments.v[found[i]];
         run r;
-        ++*looks;
         if (!overlap(u, q->a, q->along, q->length, d, &r) || !stands_for(u->made->strokes.v[d->stroke].touch, q->like))
             continue;
         r = (run){r.from + q->start, r.to + q->start};
@@ -104,21 +138,70 @@ static bool find_in_cell(undoubler *u, const question *q, int64_t column, int64_
     return true;
 }
 
+static bool follow_chains(undoubler *u, question *q, chain *c, size_t n)
+{
+    const grid_entry *all = u->where.entries.v;
+    while (n > 0 && q->looks < MOST_LOOKS) {
+        uint32_t found[AT_ONCE];
+        size_t kept = 0, some = 0;
+        for (size_t i = 0; i < n; i++) {
+            const grid_entry *e = &all[c[i].next];
+            if (!is_apart(q, c[i].mark, (double)e->mark)) {
+                __builtin_prefetch(&u->segments.v[e->value]);
+                found[some++] = e->value;
+            }
+            if (e->next != GRID_END) {
+                __builtin_prefetch(&all[e->next]);
+                c[kept++] = (chain){e->next, c[i].mark};
+            }
+        }
+        q->looks += n;
+        n = kept;
+        if (!add_runs(u, q, found, some))
+            return false;
+    }
+    return true;
+}
+
+/* The chains of the walk's next cells, as many as are followed at once. */
+static size_t next_chains(const undoubler *u, const question *q, grid_walk *w, chain out[AT_ONCE])
+{
+    const uint32_t *head[AT_ONCE];
+    double mark[AT_ONCE];
+    size_t n = 0, some = 0;
+    int64_t column, row;
+    while (n + 2 <= AT_ONCE && plb_grid_step(w, &column, &row))
+        for (int k = 0; k < (q->part[1] == q->part[0] ? 1 : 2); k++) {
+            head[n] = plb_grid_head(&u->where, column, row * DIRECTIONS + q->part[k]);
+            __builtin_prefetch(head[n]);
+            mark[n++] = mark_of(&u->where, q->a, q->along, column, row);
+        }
+    for (size_t i = 0; i < n; i++)
+        if (*head[i] != GRID_END) {
+            __builtin_prefetch(&u->where.entries.v[*head[i]]);
+            out[some++] = (chain){*head[i], mark[i]};
+        }
+    return n ? some : SIZE_MAX;
+}
+
+/* Collects the runs that earlier segments make. */
 static bool find_runs(undoubler *u, touch like, point a, point b, double start)
 {
     double length = plb_point_distance(a, b);
-    question q = {like, a, point_scale(point_sub(b, a), 1 / length), length, start};
+    question q = {.like = like, .a = a, .along = point_scale(point_sub(b, a), 1 / length), .length = length, .start = start};
     double turn = plb_grid_turn(q.along), most = TURN_DEGREES / 180;
-    int64_t column, row, low = plb_grid_part(turn - most, DIRECTIONS), high = plb_grid_part(turn + most, DIRECTIONS);
+    q.part[0] = plb_grid_part(turn - most, DIRECTIONS);
+    q.part[1] = plb_grid_part(turn + most, DIRECTIONS);
+    q.apart = most_apart(u);
+    q.either_way = fabs(q.along.x) < UPRIGHT;
     grid_walk w = plb_grid_walk(&u->where, a, b, u->tolerance);
-    size_t looks = 0;
+    chain c[AT_ONCE];
     if (u->looks > MOST_LOOKS_OF_ALL)
         return true;
-    while (looks < MOST_LOOKS && plb_grid_step(&w, &column, &row))
-        if (!find_in_cell(u, &q, column, row * DIRECTIONS + low, &looks) ||
-            (high != low && !find_in_cell(u, &q, column, row * DIRECTIONS + high, &looks)))
+    for (size_t n; q.looks < MOST_LOOKS && (n = next_chains(u, &q, &w, c)) != SIZE_MAX;)
+        if (!follow_chains(u, &q, c, n))
             return false;
-    u->looks += (double)looks + 4;
+    u->looks += (double)q.looks + 4;
     return true;
 }
 
@@ -148,11 +231,12 @@ static bool put_on_grid(undoubler *u, size_t number)
     for (size_t i = 1; i < s->n; i++) {
         drawn d = {u->made->points.v[s->first + i - 1], u->made->points.v[s->first + i], (uint32_t)number};
         grid_walk w = plb_grid_walk(&u->where, d.a, d.b, 0);
-        int64_t column, row, part = plb_grid_part(plb_grid_turn(point_sub(d.b, d.a)), DIRECTIONS);
+        point way = point_sub(d.b, d.a), along = point_scale(way, 1 / plb_point_length(way));
+        int64_t column, row, part = plb_grid_part(plb_grid_turn(way), DIRECTIONS);
         if (!array_push(&u->segments, d))
             return false;
         while (plb_grid_step(&w, &column, &row))
-            if (!plb_grid_put(&u->where, column, row * DIRECTIONS + part, (uint32_t)(u->segments.n - 1)))
+            if (!plb_grid_put_marked(&u->where, column, row * DIRECTIONS + part, (uint32_t)(u->segments.n - 1), mark_of(&u->where, d.a, along, column, row)))
                 return false;
     }
     return true;

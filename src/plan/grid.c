@@ -34,8 +34,13 @@ int64_t plb_grid_cell(const grid *g, double at)
 
 bool plb_grid_put(grid *g, int64_t column, int64_t row, uint32_t value)
 {
-    uint32_t *head = &g->head[random_fold(0, column, row) & (g->heads - 1)];
-    grid_entry e = {value, *head};
+    return plb_grid_put_marked(g, column, row, value, 0);
+}
+
+bool plb_grid_put_marked(grid *g, int64_t column, int64_t row, uint32_t value, double mark)
+{
+    uint32_t *head = plb_grid_head(g, column, row);
+    grid_entry e = {value, *head, (float)mark};
     if (g->entries.n >= GRID_END || !array_push(&g->entries, e))
         return false;
     *head = (uint32_t)(g->entries.n - 1);

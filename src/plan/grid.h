@@ -14,6 +14,7 @@
 
 typedef struct {
     uint32_t value, next; /* of the chain of its cell; GRID_END ends it */
+    float mark;           /* the caller's: what it wants to know before it follows the value */
 } grid_entry;
 #define GRID_END UINT32_MAX
 
@@ -29,10 +30,16 @@ bool plb_grid_init(grid *g, double cell, size_t n);
 void plb_grid_free(grid *g);
 int64_t plb_grid_cell(const grid *g, double at);
 bool plb_grid_put(grid *g, int64_t column, int64_t row, uint32_t value);
+bool plb_grid_put_marked(grid *g, int64_t column, int64_t row, uint32_t value, double mark);
+/* Where the first entry's number lies: memory to be asked for ahead, by who looks into many cells. */
+static inline uint32_t *plb_grid_head(const grid *g, int64_t column, int64_t row)
+{
+    return &g->head[random_fold(0, column, row) & (g->heads - 1)];
+}
 /* The first entry of the chain that holds the cell's numbers, latest first, and maybe some of other cells. */
 static inline uint32_t plb_grid_first(const grid *g, int64_t column, int64_t row)
 {
-    return g->head[random_fold(0, column, row) & (g->heads - 1)];
+    return *plb_grid_head(g, column, row);
 }
 
 /* A direction as a share of half a turn, -1 to 1, and in which of so many equal parts of half a turn such a share lies: lines
