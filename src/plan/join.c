@@ -40,6 +40,7 @@ typedef struct {
     const stroke_list *list;
     double tolerance;
     grid where;
+    point *place;     /* of each end: looked at far more often than what else a stroke has */
     uint32_t *mate;   /* of each end: the end it goes on to, or NO_END */
     uint8_t *meets;   /* of each end: how many others there are, at most 255 */
     ARRAY(pair) pairs;
@@ -52,8 +53,7 @@ static const stroke *stroke_of(const joiner *j, uint32_t end)
 
 static point place_of(const joiner *j, uint32_t end)
 {
-    const stroke *s = stroke_of(j, end);
-    return j->list->points.v[s->first + (end & 1 ? s->n - 1 : 0)];
+    return j->place[end];
 }
 
 /* The direction in which the line leaves its end. */
@@ -83,11 +83,17 @@ static bool put_ends(joiner *j)
 {
     bool ok = true;
     for (uint32_t end = 0; ok && end < 2 * j->list->strokes.n; end++) {
-        point p = place_of(j, end);
+        const stroke *s = stroke_of(j, end);
+        point p = j->place[end] = j->list->points.v[s->first + (end & 1 ? s->n - 1 : 0)];
         if (may_join(j, end))
             ok = plb_grid_put(&j->where, plb_grid_cell(&j->where, p.x), plb_grid_cell(&j->where, p.y), end);
     }
     return ok;
+}
+
+static bool is_near(point p, point q, double reach)
+{
+    return fabs(p.x - q.x) <= reach && fabs(p.y - q.y) <= reach && plb_point_distance(p, q) <= reach;
 }
 
 /* The ends that lie within `reach` mm of `end`, itself not; how many, more than MOST_ENDS being too many. */
@@ -101,7 +107,7 @@ static size_t neighbours(const joiner *j, uint32_t end, double reach, uint32_t f
         for (uint32_t k = plb_grid_first(&j->where, column, row); k != GRID_END; k = j->where.entries.v[k].next) {
             uint32_t other = j->where.entries.v[k].value;
             point q = place_of(j, other);
-            if (other == end || plb_point_distance(p, q) > reach || plb_grid_cell(&j->where, q.x) != column || plb_grid_cell(&j->where, q.y) != row)
+            if (other == end || !is_near(p, q, reach) || plb_grid_cell(&j->where, q.x) != column || plb_grid_cell(&j->where, q.y) != row)
                 continue;
             if (n == MOST_ENDS)
                 return n + 1;
@@ -255,9 +261,11 @@ static bool link_chains(const joiner *j, stroke_list *made)
 bool plb_plan_join(stroke_list *list, double tolerance, error *err)
 {
     stroke_list made = {.width = list->width, .height = list->height};
-    joiner j = {.list = list, .tolerance = tolerance, .mate = plb_new(2 * list->strokes.n, sizeof *j.mate), .meets = plb_new(2 * list->strokes.n, 1)};
-    bool ok = plb_grid_init(&j.where, 4 * tolerance, 2 * list->strokes.n) && j.mate && j.meets && put_ends(&j) && mate_ends(&j) && link_chains(&j, &made);
+    size_t n = 2 * list->strokes.n;
+    joiner j = {.list = list, .tolerance = tolerance, .mate = plb_new(n, sizeof *j.mate), .meets = plb_new(n, 1), .place = plb_new(n, sizeof *j.place)};
+    bool ok = plb_grid_init(&j.where, 4 * tolerance, n) && j.place && j.mate && j.meets && put_ends(&j) && mate_ends(&j) && link_chains(&j, &made);
     plb_grid_free(&j.where);
+    plb_free(j.place);
     plb_free(j.mate);
     plb_free(j.meets);
     array_free(&j.pairs);
