@@ -35,7 +35,7 @@ while read -r grade centre width lender; do
         echo "Lines (exercise, writer, horizontal or vertical, place in the scan):"
         sed 's/.*line_\(.*\)\.png/  \1/' "$work/used"
     } >"$work/provenance"
-    xargs -a "$work/used" "$program" capture --name "$grade" --width "$width" ${lender:+--grain "$out/$lender.pencil"} --provenance "@$work/provenance" -o "$out/$grade.pencil"
+    xargs -a "$work/used" "$program" capture --free-hand --name "$grade" --width "$width" ${lender:+--grain "$out/$lender.pencil"} --provenance "@$work/provenance" -o "$out/$grade.pencil"
     echo "$grade: $(wc -l <"$work/used") lines"
 done <<'END'
 2H 192-208 0.42

@@ -77,6 +77,7 @@ typedef struct {
     double dpi;                 /* of the scans; 0: what the PNG says, else 300 */
     int centre_min, centre_max; /* use only lines whose median grey at the centre lies in [min, max]; 0 and 255: all */
     double width;               /* stretch the cross-section to this width at half depth, mm; 0: as measured */
+    bool free_hand;             /* lines drawn with it stray as a free hand does, not as those of the scans */
     bool as_measured;           /* the grain as the scans have it, not corrected by how lines drawn with it differ from them */
     const plb_profile *grain;   /* borrow in part the grain of this pencil, borrowed; NULL: as measured */
     plb_message_function message; /* told about each scan; may be NULL */

@@ -86,6 +86,7 @@ plb_profile *plb_profile_capture(const char *const scans[], size_t n, const plb_
     inside.centre_max = given.centre_max;
     inside.width = given.width;
     inside.grain = given.grain ? &given.grain->p->grain : NULL;
+    inside.free_hand = given.free_hand;
     inside.sample = given.as_measured ? NULL : plb_api_sample;
     inside.say = plb_api_messenger(&adaptor);
     return wrap(plb_capture(scans, n, &inside, &failed), &failed, to);

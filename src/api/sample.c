@@ -36,7 +36,7 @@ bool plb_api_sample(void *closure, const profile *p, int lines, int width, int h
     pencil *made = plb_pencil_on_paper(p, PAPER_MEDIUM, err);
     if (!made)
         return false;
-    stroke_options o = {.pencil = made, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .handed = HANDED_RIGHT, .squiggle = -1, .dpi = PAPER_PX_PER_INCH};
+    stroke_options o = {.pencil = made, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .handed = HANDED_RIGHT, .squiggle = -1, .hand = p->hand, .dpi = PAPER_PX_PER_INCH};
     stroke_scratch scratch = {0};
     bool good = true;
     for (int i = 0; i < lines && good; i++) {

@@ -35,7 +35,7 @@ bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
         return false;
     }
     plb_graphite_init(&t->ink, t->profile->p);
-    t->stroke = (stroke_options){.pencil = t->pencil, .seed = o->seed, .squiggle = o->squiggle, .dpi = o->dpi, .pressure = o->pressure};
+    t->stroke = (stroke_options){.pencil = t->pencil, .seed = o->seed, .squiggle = o->squiggle, .hand = t->profile->p->hand, .dpi = o->dpi, .pressure = o->pressure};
     static const handedness handed[] = {HANDED_RIGHT, HANDED_LEFT, HANDED_NONE};
     t->stroke.handed = handed[o->handed];
     t->stroke.model = model;

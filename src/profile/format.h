@@ -13,7 +13,7 @@
 #define FORMAT_MAGIC "\211PNCL\r\n\032"
 #define FORMAT_MAGIC_SIZE 8
 #define FORMAT_MAJOR 1
-#define FORMAT_MINOR 1 /* 1: with the grain */
+#define FORMAT_MINOR 2 /* 1: with the grain; 2: and the hand */
 #define FORMAT_HEADER_SIZE 16  /* magic, major, minor, size of the file */
 #define FORMAT_TRAILER_SIZE 4  /* CRC-32 of everything before it */
 #define FORMAT_SECTION_HEAD 8  /* tag, length */
@@ -28,6 +28,7 @@
 #define FORMAT_MIN_DPI 10.0
 #define FORMAT_MAX_DPI 10000.0
 #define FORMAT_MAX_WIDTH 1000.0 /* px */
+#define FORMAT_MAX_HAND 10.0 /* times a free hand */
 
 /* Fixed point: lengths and resolutions in thousandths, greys in 256ths. */
 #define FORMAT_MILLI 1000.0

@@ -10,6 +10,17 @@
 
 #define LEAST_DEGREES 0.3 /* of freedom: one line tells nothing of the others, and its covariance is zero */
 
+/* How much more a line that was not scanned differs from the mean of those that were than these do: what few lines tell is
+ * uncertain itself. The variance of Student's t with as many degrees of freedom, times that of the mean of n lines (the
+ * predictive distribution; Gelman et al., Bayesian Data Analysis, 3rd ed., 2013, section 3.2). `shares`: the sum of the
+ * squares of the lines' shares, of equal ones 1 / n. */
+#define LEAST_FREEDOM 4.0 /* of a variance that is known at all; with fewer it is endless … */
+static double predictive(double shares)
+{
+    double freedom = fmax(1 / shares - 1, LEAST_FREEDOM);
+    return fmin((1 + shares) * freedom / (freedom - 2), LEAST_FREEDOM / (LEAST_FREEDOM - 2)); /* … so no more than here */
+}
+
 /* The figures of one line; `along`, `across`: what is added to its correlations, so that their means are the moments'. */
 static void figures(const grain_line *l, const grain_model *g, double along, double across, double out[GRAIN_LINE])
 {
@@ -42,6 +53,9 @@ void plb_grain_between(const grain_lines *lines, const grain_moments *m, grain_m
             covariance[i] += lines->v[j].weight * (x[i / GRAIN_LINE] - mean[i / GRAIN_LINE]) * (x[i % GRAIN_LINE] - mean[i % GRAIN_LINE]) /
                              fmax(degrees, LEAST_DEGREES);
     }
+    double more = predictive(1 - degrees);
+    for (int i = 0; i < GRAIN_LINE * GRAIN_LINE; i++)
+        covariance[i] *= more;
     plb_semi_cholesky(covariance, factor, GRAIN_LINE);
     for (int i = 0; i < GRAIN_LINE; i++) {
         g->line_mean[i] = (float)mean[i];

@@ -67,6 +67,12 @@ static void correct(grain_model *g, const grain_model *drawn)
         correct_darkness(g->darkness[i], drawn->darkness[i]);
     for (int k = 0; k < GRAIN_PLACES; k++)
         g->place_scale[k] = scaled_towards(was.place_scale[k], (double)was.place_scale[k], (double)drawn->place_scale[k]);
+    for (int k = 0; k < GRAIN_PLACES; k++) {
+        g->place_along[k] = towards(was.place_along[k], was.place_along[k], drawn->place_along[k], SHARE);
+        g->place_across[k] = towards(was.place_across[k], was.place_across[k], drawn->place_across[k], SHARE);
+    }
+    g->volatility = towards(was.volatility, was.volatility, drawn->volatility, SHARE);
+    g->volatility_across = towards(was.volatility_across, was.volatility_across, drawn->volatility_across, SHARE);
     for (int i = 0; i < 3; i++)
         g->line_mean[i] = towards(was.line_mean[i], was.line_mean[i], drawn->line_mean[i], SHARE);
     g->line_mean[4] = towards(was.line_mean[4], was.line_mean[4], drawn->line_mean[4], SHARE);

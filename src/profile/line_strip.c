@@ -8,6 +8,7 @@
 
 #include "base/array.h"
 #include "base/random.h"
+#include "base/units.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -188,6 +189,13 @@ static void measure(line_strip *s)
     s->width_tenth = plb_section_width(mean, 0.1);
 }
 
+static void measure_hand(const straightener *w, line_strip *s)
+{
+    int trim = (int)ceil(TRIM * w->unit);
+    if (s->n > 2 * trim)
+        s->strays = plb_hand_compare(w->line + trim, s->n - 2 * trim, MM_PER_INCH / PAPER_PX_PER_INCH / w->unit, s->stray);
+}
+
 static bool straighten(straightener *w, line_strip *out, error *err)
 {
     if (!place_rim(w, err))
@@ -211,6 +219,7 @@ static bool straighten(straightener *w, line_strip *out, error *err)
             clear[k] = straighten_column(w, out, k);
         mark_usable(w, out, clear);
         measure(out);
+        measure_hand(w, out);
     }
     plb_free(clear);
     plb_free(w->line);

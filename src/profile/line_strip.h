@@ -6,6 +6,7 @@
 #ifndef PLB_PROFILE_LINE_STRIP_H
 #define PLB_PROFILE_LINE_STRIP_H
 
+#include "profile/hand.h"
 #include "profile/line_find.h"
 #include "profile/profile.h"
 
@@ -22,6 +23,8 @@ typedef struct {
     int paper;       /* grey of the paper in the scan */
     int centre;      /* median grey of the middle row */
     double width_half, width_tenth; /* px, across the line */
+    int strays;      /* how far its line strays: so many … */
+    double stray[HAND_MODES]; /* … modes' amplitudes, times a free hand's */
 } line_strip;
 
 /* Greys above this, on the scale where paper is 255, are paper: beyond the lines of the scans at hand 99 of 100 pixels

@@ -81,6 +81,7 @@ typedef struct {
     double section_sd[PROFILE_SECTION_BINS];
 
     grain_model grain;
+    double hand; /* how far the lines stray, times a free hand (hand.h), in thousandths; 0: not measured, as a free one */
 
     uint32_t *ccm;           /* 256 × 256, ccm[i * 256 + j]: pixels of grey i whose neighbour along the line has j */
     char *provenance;        /* free text, UTF-8: scans, hand, licence, how the grade was assigned */
@@ -116,6 +117,7 @@ typedef struct {
     int centre_min, centre_max; /* only lines whose median grey at the centre lies within; 0, 255: all */
     double width;            /* mm: stretch the section so that its width at half depth is this; 0: as measured */
     const grain_model *grain; /* borrow from this one: the tooth that lines pressed hard do not show; NULL: as measured */
+    bool free_hand;          /* the hand is not measured */
     line_sampler *sample;    /* to correct the grain by what it draws; NULL: it stays as measured */
     void *closure;           /* of `sample` */
     messenger say;           /* one detail line per scan: what was found, or why it was left out */

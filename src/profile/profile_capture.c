@@ -18,6 +18,7 @@
 #include "base/units.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 #define PAPER_SHARE 0.90      /* paper is the 90th percentile of a scan */
@@ -28,6 +29,7 @@
 #define DPI_TOLERANCE 0.01    /* scans of one profile have one resolution */
 #define LEAST_WIDTH 0.05      /* mm: half a pixel of 1/300 inch, finer than which no line is drawn … */
 #define MOST_WIDTH 2.0        /* … to that of the broadest lead; both chosen by eye */
+#define LEAST_STRAYS 16       /* fewer modes of lines do not tell the hand: two or three long lines; chosen by eye */
 #define WIDTH_STEPS 12        /* of fitting the section to the width wanted */
 
 typedef struct {
@@ -208,6 +210,28 @@ static int pooled_paper(const capture *c)
     return (int)floor(sum / columns + 0.5);
 }
 
+static int compare_double(const void *a, const void *b)
+{
+    double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The median over the modes of all lines: a single line that slips does not tell. */
+static bool pool_hand(const capture *c, profile *p, error *err)
+{
+    ARRAY(double) all = {0};
+    bool good = true;
+    for (size_t i = 0; i < c->strips.n; i++)
+        for (int k = 0; k < c->strips.v[i].strays && good; k++)
+            good = array_push(&all, c->strips.v[i].stray[k]);
+    if (good && all.n >= LEAST_STRAYS) {
+        qsort(all.v, all.n, sizeof *all.v, compare_double);
+        p->hand = fmin(fmax(floor(all.v[all.n / 2] * FORMAT_MILLI + 0.5), 1) / FORMAT_MILLI, FORMAT_MAX_HAND);
+    }
+    array_free(&all);
+    return good || plb_fail_memory(err);
+}
+
 static double fixed(double value, double unit)
 {
     return floor(value * unit + 0.5) / unit;
@@ -297,7 +321,7 @@ static profile *make_profile(const capture *c, error *err)
     bool there = p && p->ccm && p->provenance;
     if (!there)
         plb_fail_memory(err);
-    if (!there || !pool(c, p, err) || !capture_grain(c, p, err)) {
+    if (!there || !pool(c, p, err) || !(o->free_hand || pool_hand(c, p, err)) || !capture_grain(c, p, err)) {
         plb_profile_release(p);
         return NULL;
     }

@@ -177,6 +177,11 @@ static bool read_grain(cursor *c, profile *p)
     return g->present;
 }
 
+static bool read_hand(cursor *c, profile *p)
+{
+    return take_fixed(c, 2, FORMAT_MILLI, &p->hand) && p->hand > 0 && p->hand <= FORMAT_MAX_HAND;
+}
+
 static bool read_provenance(cursor *c, profile *p)
 {
     size_t n = (size_t)(c->end - c->at);
@@ -195,6 +200,7 @@ static const struct {
     {"NAME", read_name, false},   {"SCAN", read_scan, false},    {"HMID", read_mid, false}, {"HRNG", read_range, false},
     {"BNDS", read_bounds, false}, {"SECT", read_section, false}, {"COOC", read_ccm, false}, {"PROV", read_provenance, false},
     {"GRAI", read_grain, true}, /* since version 1.1 */
+    {"HAND", read_hand, true},  /* since version 1.2 */
 };
 #define SECTIONS (sizeof sections / sizeof *sections)
 

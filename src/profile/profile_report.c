@@ -142,6 +142,16 @@ static void print_grain(FILE *to, const grain_model *g)
     fprintf(to, "coefficient along %s or %s\n", digits(high, g->chain_high, 3), digits(low, g->chain_low, 3));
 }
 
+static void print_hand(FILE *to, const profile *p)
+{
+    if (p->hand > 0)
+        line_number(to, "hand", p->hand, 3, "times as far from the chord as a free hand");
+    else {
+        label(to, "hand");
+        fprintf(to, "a free one\n");
+    }
+}
+
 bool plb_profile_print(const profile *p, FILE *to)
 {
     ccm_figures f = figures_of_ccm(p->ccm);
@@ -163,6 +173,7 @@ bool plb_profile_print(const profile *p, FILE *to)
     line_number(to, "  correlation", f.correlation, 3, "of a pixel and the next along the line");
     line_number(to, "  mean step", f.step, 1, "grey levels");
     print_grain(to, &p->grain);
+    print_hand(to, p);
     fprintf(to, "\ngrey, white left out        1%% 10%% 50%% 90%% 99%%     sd  pixels\n");
     line_histogram(to, "  centre", p->mid);
     line_histogram(to, "  whole line", p->range);

@@ -130,6 +130,11 @@ static void write_grain(buffer *b, const profile *p)
     }
 }
 
+static void write_hand(buffer *b, const profile *p)
+{
+    put_fixed(b, p->hand, FORMAT_MILLI, 2);
+}
+
 static void write_provenance(buffer *b, const profile *p)
 {
     put_bytes(b, p->provenance, strlen(p->provenance));
@@ -141,8 +146,14 @@ static const struct {
 } sections[] = {
     {"NAME", write_name},   {"SCAN", write_scan},    {"HMID", write_mid}, {"HRNG", write_range},
     {"BNDS", write_bounds}, {"SECT", write_section}, {"COOC", write_ccm}, {"GRAI", write_grain},
-    {"PROV", write_provenance},
+    {"HAND", write_hand},   {"PROV", write_provenance},
 };
+
+/* Sections that say nothing are left out. */
+static bool is_left_out(void (*write)(buffer *, const profile *), const profile *p)
+{
+    return (write == write_grain && !p->grain.present) || (write == write_hand && p->hand == 0);
+}
 
 static void patch_u32(buffer *b, size_t at, size_t value)
 {
@@ -158,7 +169,7 @@ unsigned char *plb_profile_serialise(const profile *p, size_t *size, error *err)
     put(&b, FORMAT_MINOR, 2);
     put(&b, 0, 4);
     for (size_t i = 0; i < sizeof sections / sizeof *sections; i++) {
-        if (sections[i].write == write_grain && !p->grain.present)
+        if (is_left_out(sections[i].write, p))
             continue;
         put_bytes(&b, sections[i].tag, 4);
         size_t length_at = b.bytes.n;

@@ -41,7 +41,7 @@ void plb_hand_direct(hand *h, point way, bool free_end, const stroke_options *o)
     double right = turn * way.x / h->length, toward = turn * way.y / h->length;
     double level = right < 0 ? -right : right, mirror = o->handed == HANDED_LEFT ? -1 : 1;
     double reach = h->length < LONGEST_LEANING_MM ? h->length : LONGEST_LEANING_MM, drift = DRIFT * reach;
-    for (int k = 0; k < HAND_MODES; k++)
+    for (int k = 0; k < h->waves; k++)
         h->amplitude[k] *= 1 - STEADIER_TOWARD * toward;
     h->late = LATE;
     h->lean = h->strength * turn * mirror * level * LEAN * reach;

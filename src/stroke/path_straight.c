@@ -8,9 +8,9 @@
 #include <math.h>
 
 /* The path's bends grow with the length less than the length does: samples this far apart, times the root of the
- * length, keep the straight pieces between them within 0.003 mm of it (the modes' curvature: plumbago(7)). */
+ * length, keep the straight pieces between them within 0.005 mm of it (the modes' curvature: plumbago(7)). */
 #define STEP_OF_ROOT 0.22
-#define LONGEST_STEP_MM 3.0
+#define LONGEST_STEP_MM 1.5
 #define FEWEST_STEPS 4
 /* A hook has samples of its own, fewer when it hardly shows. */
 #define HOOK_STEPS 4

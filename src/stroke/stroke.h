@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/patch.h"
 #include "list/strokes.h"
+#include "profile/hand.h"
 #include "profile/profile.h"
 
 typedef enum {
@@ -36,6 +37,7 @@ typedef struct {
     arm_model arm;
     handedness handed;
     double squiggle; /* largest deviation D, mm, >= 0; negative: the arm's own */
+    double hand;     /* how far the pencil's own hand strays where no squiggle says, times a free hand; 0: as 1 */
     double dpi;      /* of the page's pixels */
     int clip_top, clip_foot; /* only the page's rows [top, foot) are wanted; both 0: all */
     double pressure; /* times each stroke's own; 0: as 1 */
@@ -64,12 +66,13 @@ double plb_path_squiggle(double length, const stroke_options *o);
 
 /* How a free hand deviates from one line: ARM_HAND's, instead of D at control points. path_hand.c fills the modes,
  * path_direction.c and path_ends.c the rest. All in the line's own frame, first to last, to the left; mm. */
-#define HAND_MODES 8
+#define HAND_WAVES 32 /* of the longest lines; the first HAND_MODES as measured, the others as these fall off */
 typedef struct {
     double length;
     bool closed;
-    double strength;           /* 1: as measured */
-    double amplitude[HAND_MODES];
+    int waves;                 /* so many modes are not shorter than a hand makes */
+    double strength;           /* 1: a free hand */
+    double amplitude[HAND_WAVES];
     double late;               /* the second half of the way deviates so much more, and the first less (a share) */
     double lean, drift;        /* of the way's second half, and of its free end */
     bool backward;             /* the hand draws from last to first */

@@ -96,6 +96,13 @@ static bool set_as_measured(void *p, const char *v)
     s->used |= FOR_CAPTURE;
     return s->capture.as_measured = true;
 }
+static bool set_free_hand(void *p, const char *v)
+{
+    settings *s = p;
+    (void)v;
+    s->used |= FOR_CAPTURE;
+    return s->capture.free_hand = true;
+}
 static bool set_provenance(void *p, const char *v)
 {
     settings *s = p;
@@ -135,6 +142,7 @@ static const option table[] = {
     {0, "width", "MM", "stretch the line to this width at half depth [as measured]", set_width},
     {0, "grain", "PENCIL", "borrow some grain of PENCIL, where the lines show none", set_grain},
     {0, "as-measured", NULL, "keep the grain without the correction by lines drawn with it", set_as_measured},
+    {0, "free-hand", NULL, "lines stray as a free hand does, not as those of the scans", set_free_hand},
     {0, "provenance", "TEXT|@FILE", "text to keep in the profile: scans, hand, licence", set_provenance},
     {0, NULL, NULL, "For show", NULL},
     {0, "plot", "FILE", "draw histograms, section and co-occurrence as a PNG too", set_plot},

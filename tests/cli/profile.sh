@@ -172,6 +172,25 @@ does "--help" --help
 does "--version" --version
 if grep -qE '^plumbago-profile [0-9]+\.[0-9]+' "$TMP/out"; then ok "the version is a number"; else fail "the version is a number"; fi
 
+# ---- the hand: drawn lines, captured, stray as they were drawn --------------------------------------------------
+awk 'BEGIN { for (i = 0; i < 4; i++) { f = "hand-" i ".svg"
+    printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"106mm\" height=\"12mm\" viewBox=\"0 0 106 12\"><path d=\"M3 %.2fH103\" stroke=\"#000\" stroke-width=\".3\"/></svg>", 6 + i / 100 >f } }'
+hand_of() { "$PLUMBAGO_PROFILE" show "$1" | sed -n 's/^hand  *//p'; }
+for len in 0.42mm 0.08mm; do
+    check "lines of a squiggle of $len" "$PLUMBAGO" --squiggle $len -o "hand-$len-%s.png" hand-?.svg
+    does "capture of them" capture --as-measured -o "hand-$len.pencil" hand-$len-hand-?.png
+done
+free=$(hand_of hand-0.42mm.pencil) steady=$(hand_of hand-0.08mm.pencil)
+if awk -v a="${free%% *}" -v b="${steady%% *}" 'BEGIN { exit !(a > 0.6 && a < 1.6 && b > 0.08 && b < 0.45) }'; then ok "the hand is measured"; else fail "the hand is measured" "$free, $steady"; fi
+does "capture --free-hand" capture --as-measured --free-hand -o free.pencil hand-0.08mm-hand-?.png
+if [ "$(hand_of free.pencil)" = "a free one" ]; then ok "--free-hand leaves it out"; else fail "--free-hand leaves it out" "$(hand_of free.pencil)"; fi
+check "a line by a steady hand" "$PLUMBAGO" -p hand-0.08mm.pencil --dump=controls -o steady.txt hand-0.svg
+check "a line by a free hand" "$PLUMBAGO" -p free.pencil --dump=controls -o free.txt hand-0.svg
+if cmp -s steady.txt free.txt; then fail "a profile's hand draws"; else ok "a profile's hand draws"; fi
+check "a squiggle goes by the free hand" "$PLUMBAGO" -p hand-0.08mm.pencil --squiggle 0.3mm --dump=controls -o a.txt hand-0.svg
+check "whatever the profile" "$PLUMBAGO" -p free.pencil --squiggle 0.3mm --dump=controls -o b.txt hand-0.svg
+if cmp -s a.txt b.txt; then ok "with --squiggle the profile's hand does not count"; else fail "with --squiggle the profile's hand does not count"; fi
+
 # ---- capture from the real scans -------------------------------------------------------------------------------
 scans=$SHARED/scans/hdbpmn
 if ! [ -d "$scans" ]; then

@@ -46,6 +46,54 @@ static void the_hand_wobbles_as_measured(void)
     }
 }
 
+/* Root mean square of the deviation at waves of so many px at 300 dpi, against the scans': .46 and .21 px, over lines of 16 to
+ * 250 mm. A line of 100 mm is about the middle of them. */
+static void the_hand_wavers_at_every_wavelength(void)
+{
+    enum { LINES = 2000 };
+    static const struct {
+        double from, to, measured;
+    } bands[] = {{200, 400, .83}, {100, 200, .46}, {50, 100, .21}};
+    const double length = 100, px = 25.4 / 300;
+    stroke_options o = {.seed = 5, .squiggle = -1, .model = MODEL_GRAPHITE, .arm = ARM_HAND};
+    for (size_t b = 0; b < sizeof bands / sizeof *bands; b++) {
+        double squares = 0;
+        for (int i = 0; i < LINES; i++) {
+            hand h = plb_hand(length, false, random_mix((uint64_t)i + 1), &o);
+            CHECK(h.waves == HAND_WAVES);
+            for (int k = 0; k < h.waves; k++) {
+                double wave = 2 * length / (k + 1) / px;
+                squares += wave >= bands[b].from && wave < bands[b].to ? h.amplitude[k] * h.amplitude[k] / (px * px) / 2 / LINES : 0;
+            }
+        }
+        CHECK_RANGE(sqrt(squares) / bands[b].measured, 0.7, 1.4);
+    }
+    CHECK(plb_hand(13, false, 7, &o).waves == 6 && plb_hand(1, false, 7, &o).waves == 1 && plb_hand(1, true, 7, &o).waves == 2);
+}
+
+/* What capture measures of a hand is what it draws with: of lines that stray by a share of the free hand's, that share. */
+static void a_hand_is_measured_against_the_free_one(void)
+{
+    enum { LINES = 400, PX = 1000 };
+    static double line[PX], ratios[LINES * HAND_MODES];
+    const double px = 25.4 / 300;
+    for (int share = 1; share <= 10; share += 3) {
+        stroke_options o = {.seed = 5, .squiggle = -1, .hand = share / 10.0, .model = MODEL_GRAPHITE, .arm = ARM_HAND};
+        int n = 0;
+        for (int i = 0; i < LINES; i++) {
+            hand h = plb_hand((PX - 1) * px, false, random_mix((uint64_t)i + 1), &o);
+            for (int k = 0; k < PX; k++)
+                line[k] = 40 + k * 0.01 + plb_hand_off(&h, k * px) / px; /* the scan lies askew */
+            n += plb_hand_compare(line, PX, px, ratios + n);
+        }
+        CHECK(n == LINES * HAND_MODES);
+        qsort(ratios, (size_t)n, sizeof *ratios, compare_numbers);
+        CHECK_RANGE(ratios[n / 2] / (share / 10.0), 0.93, 1.07);
+    }
+    CHECK(plb_hand_compare(line, 100, px, ratios) == 4); /* 8.5 mm: waves of 4 mm and more */
+    CHECK(plb_hand_compare(line, 1, px, ratios) == 0);
+}
+
 static void squiggle_scales_the_hand(void)
 {
     stroke_options o = {.seed = 5, .squiggle = 0, .model = MODEL_GRAPHITE, .arm = ARM_HAND};
@@ -55,6 +103,11 @@ static void squiggle_scales_the_hand(void)
     double own = plb_hand(100, false, 7, &o).amplitude[0];
     o.squiggle = 10 * MM_PER_PAPER_PX;
     CHECK(fabs(plb_hand(100, false, 7, &o).amplitude[0] / own - 2) < 1e-12);
+    o.hand = 0.25; /* a pencil's own hand gives way to a squiggle that is asked for */
+    CHECK(fabs(plb_hand(100, false, 7, &o).amplitude[0] / own - 2) < 1e-12);
+    o.squiggle = -1;
+    CHECK(fabs(plb_hand(100, false, 7, &o).amplitude[0] / own - 0.25) < 1e-12);
+    o.hand = 0;
     o.squiggle = -1;
     h = plb_hand(100, true, 7, &o); /* closed: it runs on */
     CHECK(fabs(plb_hand_off(&h, 0) - plb_hand_off(&h, 100)) < 1e-9);
@@ -552,6 +605,8 @@ static void quantiles_are_right(void)
 int main(void)
 {
     RUN(the_hand_wobbles_as_measured);
+    RUN(the_hand_wavers_at_every_wavelength);
+    RUN(a_hand_is_measured_against_the_free_one);
     RUN(squiggle_scales_the_hand);
     RUN(the_scans_resolution_changes_nothing);
     RUN(resolutions_agree);

@@ -381,6 +381,38 @@ static void sections_without_end(void)
     free(b.v);
 }
 
+static void the_hand_is_kept_and_checked(void)
+{
+    static const struct {
+        const char *section;
+        size_t size;
+        error_kind kind;
+    } cases[] = {
+        {"HAND\2\0\0\0\326\0", 10, ERROR_NONE},    {"HAND\2\0\0\0\20\47", 10, ERROR_NONE},  {"HAND\2\0\0\0\0\0", 10, ERROR_SYNTAX},
+        {"HAND\2\0\0\0\21\47", 10, ERROR_SYNTAX}, {"HAND\1\0\0\0\1", 9, ERROR_SYNTAX},     {"HAND\3\0\0\0\1\0\0", 11, ERROR_SYNTAX},
+    };
+    bytes b = small_bytes();
+    error err;
+    for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+        bytes with = append(&b, cases[i].section, cases[i].size);
+        CHECK(parse(&with, &err) == cases[i].kind && (cases[i].kind == ERROR_NONE || strstr(err.text, "HAND")));
+        free(with.v);
+    }
+    bytes with = append(&b, cases[0].section, cases[0].size);
+    profile *without = plb_profile_parse("x", b.v, b.n, &err), *p = plb_profile_parse("x", with.v, with.n, &err);
+    CHECK(without && without->hand == 0 && p && p->hand == 0.214);
+    size_t n = 0;
+    unsigned char *again = p ? plb_profile_serialise(p, &n, &err) : NULL;
+    profile *q = again ? plb_profile_parse("x", again, n, &err) : NULL;
+    CHECK(q && q->hand == 0.214);
+    plb_profile_release(without);
+    plb_profile_release(p);
+    plb_profile_release(q);
+    plb_free(again);
+    plb_free(b.v);
+    free(with.v);
+}
+
 static void later_versions(void)
 {
     bytes b = small_bytes();
@@ -463,6 +495,7 @@ int main(void)
     RUN(lying_histograms);
     RUN(unknown_sections_are_skipped);
     RUN(sections_without_end);
+    RUN(the_hand_is_kept_and_checked);
     RUN(later_versions);
     RUN(the_eight_are_there);
     RUN(hb_is_as_dark_as_the_standard_says);
