@@ -154,7 +154,7 @@ check-long:
 # All tests in builds with the sanitizers of addresses (and leaks), of undefined behaviour and of threads, by both compilers;
 # those that cannot work there say so and are skipped.
 check-sanitizers:
-	+$(Q)failed=; for build in asan ubsan tsan; do for with in 'CC=gcc' 'CC=clang SUFFIX=-clang'; do \
+	+$(Q)export TEST_TIMEOUT=7200; failed=; for build in asan ubsan tsan; do for with in 'CC=gcc' 'CC=clang SUFFIX=-clang'; do \
 	    echo "BUILD=$$build $$with" && $(MAKE) --no-print-directory BUILD=$$build $$with check-only || failed="$$failed $$build ($$with)"; \
 	done; done; [ -z "$$failed" ] || { echo "failed:$$failed"; exit 1; }
 

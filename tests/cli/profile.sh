@@ -198,11 +198,16 @@ if ! [ -d "$scans" ]; then
     skip "capture of a real line" "no scans here"
     exit 0
 fi
-mkdir again
-check "capture.sh runs" bash "$ROOT/profiles/capture.sh" "$PLUMBAGO_PROFILE" "$PWD/again"
-for grade in 2H H F HB B 3B 6B 8B; do
-    if cmp -s "again/$grade.pencil" "$ROOT/profiles/$grade.pencil"; then ok "$grade captured anew: the same bytes"; else fail "$grade captured anew: the same bytes"; fi
-done
+case $BUILD_DIR in
+*tsan*) skip "the eight pencils captured anew" "capture has one thread, and takes half an hour under the thread sanitizer" ;;
+*)
+    mkdir again
+    check "capture.sh runs" bash "$ROOT/profiles/capture.sh" "$PLUMBAGO_PROFILE" "$PWD/again"
+    for grade in 2H H F HB B 3B 6B 8B; do
+        if cmp -s "again/$grade.pencil" "$ROOT/profiles/$grade.pencil"; then ok "$grade captured anew: the same bytes"; else fail "$grade captured anew: the same bytes"; fi
+    done
+    ;;
+esac
 # What the measuring script of the evidence found for this line: centre 175, 6.5 px at half depth, 730 columns.
 line=$scans/line_ex03_w0054_h_x0480_y1141.png
 does "capture of a real line" capture "$line" -o one.pencil --name 'one line' --provenance 'a test'
