@@ -61,6 +61,7 @@ WEIGHT_MIN = 0.13       # mm: of a line; the finest pen of ISO 128-2
 PATTERN_MIN = 0.8       # mm: shorter dash patterns look like a solid line; chosen by eye
 HATCH_MIN = 0.4         # mm: pattern lines that are closer become a tone; chosen by eye
 HATCH_LINES = 20000     # so many lines of one hatch at most; beyond it becomes a tone
+COPIES = 100000         # of one INSERT at most; beyond it is left out: they would take longer than there is. Chosen by eye
 BRIGHT = 0.45           # luma: brighter colours are meant for a dark screen and darkened for paper; chosen by eye
 
 # $INSUNITS: mm and name of the units that somebody draws in.
@@ -322,6 +323,9 @@ class Draughtsman(Frontend):
         block = entity.dxf.name.lower() if isinstance(entity, Insert) else None
         if block is not None and (block in self.open_blocks or not entity.block()):
             self.leave_out("INSERT of itself" if block in self.open_blocks else "INSERT of nothing")
+            return
+        if block is not None and entity.mcount > COPIES:
+            self.leave_out(f"INSERT of {entity.mcount} copies")
             return
         self.open_blocks.append(block)
         saved = list(self.ctx._saved_states), self.ctx.current_block_reference_properties

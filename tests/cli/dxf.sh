@@ -36,6 +36,13 @@ for said in 'left out: 1 INSERT of itself' 'left out: 1 without a shape, or that
     if grep -q "warning: blocks\.dxf: $said" "$TMP/err"; then ok "it says: $said"; else fail "it says: $said" "$(tr '\n' '|' <"$TMP/err")"; fi
 done
 
+# A grid of a thousand million copies is no drawing; the line beside it is.
+awk '{ sub(/\r$/, "") } $0 == "ENTITIES" { print; print "0\nLINE\n8\n0\n10\n0\n20\n0\n11\n200\n21\n0"; next } { print }' "$ROOT/tests/bad/rows-1e9.dxf" >grid.dxf
+"$PLUMBAGO" --dump=list grid.dxf >"$TMP/out" 2>"$TMP/err"
+is "too many copies are left out: status" $? 0
+is "the rest is drawn" "$(awk 'NR == 1 { print $2 }' "$TMP/out")" 210
+is "it says so" "$(sed 's/.*warning: //' "$TMP/err")" "grid.dxf: left out: 1 INSERT of 1073676289 copies"
+
 # Text: letters come as shapes, where they should be, and not as something else.
 text() { # TAG...: a TEXT with more tags
     printf '%s\n' 0 SECTION 2 ENTITIES 0 LINE 8 0 10 0 20 0 11 200 21 0 0 TEXT 8 0 40 10 "$@" 0 ENDSEC 0 EOF
