@@ -58,6 +58,15 @@ static bool is_passed_on(const char *variable)
     return false;
 }
 
+/* What we may use ourselves is an upper limit, for others and in messages. */
+static process_limits within_ours(process_limits l)
+{
+    struct rlimit ours;
+    if (getrlimit(RLIMIT_AS, &ours) == 0 && ours.rlim_cur < l.memory)
+        l.memory = (size_t)ours.rlim_cur;
+    return l;
+}
+
 static void plan_environment(child_plan *plan)
 {
     int n = 0;
@@ -179,7 +188,7 @@ bool plb_process_start(process *p, const char *program, const char *const argv[]
 {
     int ends[6];
     *p = (process){.pid = -1, .in = -1, .out = -1, .err = -1, .input = input, .input_left = size};
-    p->limits = limits && limits->seconds > 0 ? *limits : PROCESS_LIMITS;
+    p->limits = within_ours(limits && limits->seconds > 0 ? *limits : PROCESS_LIMITS);
     p->buffer = plb_new(BUFFER_BYTES, 1);
     if (!p->buffer)
         return plb_fail_memory(err);

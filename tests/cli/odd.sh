@@ -91,6 +91,8 @@ case $BUILD_DIR in
 *)
     sed 's|</g>|<text x="5" y="9" font-size="4">odd</text></g>|' a.svg >text.svg
     refuses "little memory for librsvg" 'text.svg: librsvg needs more than 64 MB' --limit-memory 64 -o y.png text.svg
+    (ulimit -v 61440 && exec "$PLUMBAGO" -d 20 -o y.png text.svg) >"$TMP/out" 2>"$TMP/err"
+    is "little memory for all: the reader's is named" "$? $(cat "$TMP/err")" "1 plumbago: text.svg: librsvg needs more than 60 MB for this drawing"
     # With more it gets further: somewhere in its libraries, or through. Never to another drawing, never to other words.
     "$PLUMBAGO" -d 20 -o ample.png text.svg
     other=''
