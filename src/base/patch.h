@@ -8,6 +8,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+/* Room behind a patch's pixels, so that its rows may be worked on in whole registers. */
+#define PATCH_PAD 16
 /* The largest side of a patch, in pixels: long strokes come as several patches that share no pixel. */
 #define PATCH_SIDE 128
 
@@ -17,7 +19,7 @@ typedef struct {
     /* Columns [from, to) of each row may hold graphite; none when to is not beyond from. */
     uint8_t from[PATCH_SIDE], to[PATCH_SIDE];
     /* Row by row, `width` a row. 255: no graphite; lower: darker. On a scale where the profile's paper is 255. */
-    uint8_t grey[PATCH_SIDE * PATCH_SIDE];
+    uint8_t grey[PATCH_SIDE * PATCH_SIDE + PATCH_PAD];
 } patch;
 
 /* Receives the patches of a stroke one after the other; the patch is the caller's and dies with the call.

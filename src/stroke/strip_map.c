@@ -106,15 +106,24 @@ static void mark(mapper *m, int row, int x0, int x1)
     m->p.to[row] = (uint8_t)(x1 > m->p.to[row] ? x1 : m->p.to[row]);
 }
 
+/* One sample a pixel: n of them as grey, and clears them; in whole blocks, as both are blank beyond: the samples as nothing has
+ * been put there, the row as it is. */
+static void resolve_single(uint8_t *restrict from, uint8_t *restrict grey, int n)
+{
+    for (; n > 0; n -= TOGETHER, from += TOGETHER, grey += TOGETHER)
+        for (int i = 0; i < TOGETHER; i++) {
+            grey[i] = (uint8_t)~from[i];
+            from[i] = 0;
+        }
+}
+
 /* The means of the pixels' samples, as grey; row y of the patch, and clears the samples. */
 static void resolve(mapper *m, int y, uint8_t *grey)
 {
     int x0 = m->p.from[y], x1 = m->p.to[y], n = m->samples;
     uint8_t *from = m->fine + (size_t)(y * n) * m->stride + (size_t)(x0 * n);
     if (n == 1) {
-        for (int x = 0; x < x1 - x0; x++)
-            grey[x0 + x] = (uint8_t)(255 - from[x]);
-        memset(from, 0, (size_t)(x1 - x0));
+        resolve_single(from, grey + x0, x1 - x0);
         return;
     }
     uint16_t column[PATCH_SIDE * MOST_SAMPLES];
@@ -416,13 +425,13 @@ static bool add_path(mapper *m, const path_samples *path, bool closed, double px
 }
 
 /* Room for the samples of the largest patch, all zero; kept from stroke to stroke. */
-static bool make_fine(map_room *room, size_t side)
+static bool make_fine(map_room *room, size_t size)
 {
-    if (room->size >= side * side)
+    if (room->size >= size)
         return true;
     plb_free(room->fine);
-    room->fine = plb_new(2 * side * side + TOGETHER, 1); /* the second half: samples kept */
-    room->size = room->fine ? side * side : 0;
+    room->fine = plb_new(2 * size, 1); /* the second half: samples kept */
+    room->size = room->fine ? size : 0;
     return room->fine != NULL;
 }
 
@@ -446,12 +455,13 @@ bool plb_strip_map(const shading *s, const map_page *page, const path_samples *p
     m.foot = all ? INT_MAX : page->foot;
     m.in = m.wait = (pixel_box){0};
     m.n = m.asked.n = m.asked.samples = 0;
-    m.stride = (size_t)(PATCH_SIDE * m.samples);
+    size_t side = (size_t)(PATCH_SIDE * m.samples);
+    m.stride = side + TOGETHER; /* what is done in whole blocks stays within the row */
     m.sink = sink;
     m.closure = closure;
-    if (!make_fine(room, m.stride))
+    if (!make_fine(room, side * m.stride))
         return false;
     m.fine = room->fine;
-    m.kept = room->fine + m.stride * m.stride;
+    m.kept = room->fine + side * m.stride;
     return add_path(&m, path, closed, px);
 }
