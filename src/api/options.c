@@ -69,6 +69,7 @@ plan_options plb_api_plan_options(const plb_options *o)
     how.restate = o->restate;
     how.construction = o->construction;
     how.seed = o->seed;
+    how.threads = o->threads > 0 ? o->threads : plb_team_processors();
     how.colour = o->colour;
     return how;
 }

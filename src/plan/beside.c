@@ -4,8 +4,10 @@
  * runs close by it, as the second line of a wall does, a person minds the gap, and the two never cross. Each straight
  * stroke with such a neighbour is told how far it may stray.
  */
+#include "base/team.h"
 #include "plan/grid.h"
 #include "plan/habits.h"
+#include "plan/pass.h"
 
 #include <math.h>
 
@@ -104,15 +106,31 @@ static bool put(grid *g, lines *all, const stroke_list *list, size_t i)
     return array_push(all, l);
 }
 
-bool plb_plan_beside(stroke_list *list, error *err)
+/* A batch of the lines; each changes its own stroke only. */
+typedef struct {
+    const grid *where;
+    const lines *all;
+    stroke_list *list;
+} search;
+
+static bool find_batch(void *closure, int member, size_t batch)
+{
+    const search *s = closure;
+    (void)member;
+    for (size_t i = batch * PASS_BATCH; i < (batch + 1) * PASS_BATCH && i < s->all->n; i++)
+        find(s->where, s->all, &s->all->v[i], &s->list->strokes.v[s->all->v[i].stroke]);
+    return true;
+}
+
+bool plb_plan_beside(stroke_list *list, int threads, error *err)
 {
     grid g;
     lines all = {0};
     bool ok = plb_grid_init(&g, CELL_MM, 2 * list->strokes.n);
     for (size_t i = 0; ok && i < list->strokes.n; i++)
         ok = !is_candidate(list, &list->strokes.v[i]) || put(&g, &all, list, i);
-    for (size_t i = 0; ok && i < all.n; i++)
-        find(&g, &all, &all.v[i], &list->strokes.v[all.v[i].stroke]);
+    if (ok)
+        plb_team_run(plb_plan_members(threads, all.n), (all.n + PASS_BATCH - 1) / PASS_BATCH, find_batch, &(search){&g, &all, list});
     plb_grid_free(&g);
     array_free(&all);
     return ok || plb_fail_memory(err);

@@ -7,6 +7,7 @@
  * At each place where ends meet, pairs that touch join before those with a gap, and among them the pair with the least turn
  * first, then the next among those left.
  */
+#include "base/team.h"
 #include "plan/grid.h"
 #include "plan/pass.h"
 
@@ -35,6 +36,7 @@ typedef struct {
     bool apart;  /* do not touch */
     double turn; /* radians */
 } pair;
+typedef ARRAY(pair) pair_list;
 
 typedef struct {
     const stroke_list *list;
@@ -43,7 +45,8 @@ typedef struct {
     point *place;     /* of each end: looked at far more often than what else a stroke has */
     uint32_t *mate;   /* of each end: the end it goes on to, or NO_END */
     uint8_t *meets;   /* of each end: how many others there are, at most 255 */
-    ARRAY(pair) pairs;
+    pair_list pairs;
+    pair_list by_member[TEAM_MAX]; /* before they are put together */
 } joiner;
 
 static const stroke *stroke_of(const joiner *j, uint32_t end)
@@ -124,7 +127,7 @@ static bool is_one_piece(const joiner *j, uint32_t a, uint32_t b)
 
 /* The pairs of `end` with ends of higher number. Where pieces are shorter than the tolerance, many ends lie near: then
  * only those that touch count. */
-static bool find_pairs(joiner *j, uint32_t end)
+static bool find_pairs(joiner *j, uint32_t end, pair_list *pairs)
 {
     uint32_t found[MOST_ENDS];
     size_t n = neighbours(j, end, j->tolerance, found);
@@ -139,7 +142,7 @@ static bool find_pairs(joiner *j, uint32_t end)
         point in = direction_of(j, found[i]);
         bool apart = plb_point_distance(place_of(j, end), place_of(j, found[i])) > TOUCHING_MM;
         pair p = {end, found[i], apart, atan2(fabs(point_cross(out, in)), -point_dot(out, in))};
-        if (found[i] > end && p.turn < most && !is_one_piece(j, end, found[i]) && alike(stroke_of(j, end)->touch, stroke_of(j, found[i])->touch) && !array_push(&j->pairs, p))
+        if (found[i] > end && p.turn < most && !is_one_piece(j, end, found[i]) && alike(stroke_of(j, end)->touch, stroke_of(j, found[i])->touch) && !array_push(pairs, p))
             return false;
     }
     return true;
@@ -154,14 +157,37 @@ static int compare_pairs(const void *a, const void *b)
     return dx != dy ? (dx > dy) - (dx < dy) : x->a != y->a ? (x->a > y->a) - (x->a < y->a) : (x->b > y->b) - (x->b < y->b);
 }
 
-static bool mate_ends(joiner *j)
+static bool find_batch(void *closure, int member, size_t batch)
 {
+    joiner *j = closure;
     bool ok = true;
+    size_t end = batch * PASS_BATCH, last = end + PASS_BATCH, n = 2 * j->list->strokes.n;
+    for (; ok && end < last && end < n; end++)
+        ok = !may_join(j, (uint32_t)end) || find_pairs(j, (uint32_t)end, &j->by_member[member]);
+    return ok;
+}
+
+/* All pairs, in whichever order: they are sorted, and no two are equal. */
+static bool find_all_pairs(joiner *j, int threads)
+{
+    size_t n = 2 * j->list->strokes.n;
+    bool ok = plb_team_run(plb_plan_members(threads, n), (n + PASS_BATCH - 1) / PASS_BATCH, find_batch, j);
+    for (int k = 0; k < TEAM_MAX; k++) {
+        pair_list *p = &j->by_member[k];
+        ok = ok && array_reserve(&j->pairs, p->n);
+        for (size_t i = 0; ok && i < p->n; i++)
+            j->pairs.v[j->pairs.n++] = p->v[i];
+        array_free(p);
+    }
+    return ok;
+}
+
+static bool mate_ends(joiner *j, int threads)
+{
     size_t n = 2 * j->list->strokes.n;
     for (uint32_t end = 0; end < n; end++)
         j->mate[end] = NO_END;
-    for (uint32_t end = 0; ok && end < n; end++)
-        ok = !may_join(j, end) || find_pairs(j, end);
+    bool ok = find_all_pairs(j, threads);
     if (ok && j->pairs.n)
         qsort(j->pairs.v, j->pairs.n, sizeof *j->pairs.v, compare_pairs);
     for (size_t i = 0; ok && i < j->pairs.n; i++) {
@@ -258,12 +284,12 @@ static bool link_chains(const joiner *j, stroke_list *made)
     return ok;
 }
 
-bool plb_plan_join(stroke_list *list, double tolerance, error *err)
+bool plb_plan_join(stroke_list *list, double tolerance, int threads, error *err)
 {
     stroke_list made = {.width = list->width, .height = list->height};
     size_t n = 2 * list->strokes.n;
     joiner j = {.list = list, .tolerance = tolerance, .mate = plb_new(n, sizeof *j.mate), .meets = plb_new(n, 1), .place = plb_new(n, sizeof *j.place)};
-    bool ok = plb_grid_init(&j.where, 4 * tolerance, n) && j.place && j.mate && j.meets && put_ends(&j) && mate_ends(&j) && link_chains(&j, &made);
+    bool ok = plb_grid_init(&j.where, 4 * tolerance, n) && j.place && j.mate && j.meets && put_ends(&j) && mate_ends(&j, threads) && link_chains(&j, &made);
     plb_grid_free(&j.where);
     plb_free(j.place);
     plb_free(j.mate);

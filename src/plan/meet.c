@@ -4,8 +4,10 @@
  * where lines come to an end on another one a person minds that they meet, and draws that one with care.
  * Input: strokes, mm. Output: their room.
  */
+#include "base/team.h"
 #include "plan/grid.h"
 #include "plan/habits.h"
+#include "plan/pass.h"
 
 #include <math.h>
 
@@ -89,18 +91,52 @@ static bool put_ends(line_ends *ends, const stroke_list *list)
     return true;
 }
 
-bool plb_plan_meet(stroke_list *list, error *err)
+/* Some of the strokes, batch by batch; each changes itself only. Between rounds the looks are counted, so that it does not
+ * depend on the threads where they end. */
+#define ROUND 64 /* batches */
+typedef struct {
+    const line_ends *ends;
+    stroke_list *list;
+    size_t first;
+    double looks[ROUND];
+} search;
+
+static bool look_batch(void *closure, int member, size_t batch)
+{
+    search *k = closure;
+    size_t first = k->first + batch * PASS_BATCH;
+    (void)member;
+    k->looks[batch] = 0;
+    for (size_t i = first; i < first + PASS_BATCH && i < k->list->strokes.n; i++) {
+        stroke *s = &k->list->strokes.v[i];
+        size_t looks = 0;
+        if (is_of_drawing(s) && is_long(k->list, s) && is_met(k->ends, k->list, i, &looks))
+            s->room = s->room > 0 ? fminf(s->room, ROOM_MM) : ROOM_MM;
+        k->looks[batch] += (double)looks;
+    }
+    return true;
+}
+
+static void look_at_all(const line_ends *ends, stroke_list *list, int threads)
+{
+    double of_all = 0;
+    size_t n = list->strokes.n;
+    search k = {.ends = ends, .list = list};
+    for (; k.first < n && of_all < MOST_LOOKS_OF_ALL; k.first += ROUND * PASS_BATCH) {
+        size_t batches = (n - k.first + PASS_BATCH - 1) / PASS_BATCH;
+        batches = batches < ROUND ? batches : ROUND;
+        plb_team_run(plb_plan_members(threads, n), batches, look_batch, &k);
+        for (size_t i = 0; i < batches; i++)
+            of_all += k.looks[i];
+    }
+}
+
+bool plb_plan_meet(stroke_list *list, int threads, error *err)
 {
     line_ends ends = {0};
-    double of_all = 0;
     bool ok = plb_grid_init(&ends.where, CELL_MM, 2 * list->strokes.n) && put_ends(&ends, list);
-    for (size_t i = 0; ok && i < list->strokes.n && of_all < MOST_LOOKS_OF_ALL; i++) {
-        stroke *s = &list->strokes.v[i];
-        size_t looks = 0;
-        if (is_of_drawing(s) && is_long(list, s) && is_met(&ends, list, i, &looks))
-            s->room = s->room > 0 ? fminf(s->room, ROOM_MM) : ROOM_MM;
-        of_all += (double)looks;
-    }
+    if (ok)
+        look_at_all(&ends, list, threads);
     plb_grid_free(&ends.where);
     array_free(&ends.at);
     return ok || plb_fail_memory(err);

@@ -21,3 +21,12 @@ void plb_plan_replace(stroke_list *list, stroke_list *made)
     plb_stroke_list_free(list);
     *list = *made;
 }
+
+/* Their work takes some milliseconds, a thread's start some 20 µs. */
+#define PER_MEMBER 2000
+
+int plb_plan_members(int threads, size_t n)
+{
+    size_t useful = 1 + n / PER_MEMBER;
+    return threads < 1 ? 1 : (size_t)threads < useful ? threads : (int)useful;
+}

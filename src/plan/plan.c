@@ -254,7 +254,7 @@ static bool draw_items(planner *p)
 plan_options plb_plan_options_default(void)
 {
     static const tone_scale of_hb = {{.07, .12, .2, .35, .45, .51}};
-    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .seed = 1};
+    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .threads = 1, .seed = 1};
 }
 
 /* ---- all strokes together ---- */
@@ -272,10 +272,11 @@ static void drop_scraps(stroke_list *out)
 static bool arrange(stroke_list *out, const plan_options *o, error *err)
 {
     double same = SAME_LINE_WIDTHS * o->pencil_width;
-    if (!plb_plan_clear(out, o->pencil_width, err) || !plb_plan_undouble(out, same, err) || !plb_plan_join(out, same, err))
+    if (!plb_plan_clear(out, o->pencil_width, err) || !plb_plan_undouble(out, same, err) || !plb_plan_join(out, same, o->threads, err))
         return false;
     drop_scraps(out);
-    return plb_plan_smooth(out, err) && plb_plan_beside(out, err) && plb_plan_meet(out, err) && plb_plan_habits(out, o, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
+    return plb_plan_smooth(out, err) && plb_plan_beside(out, o->threads, err) && plb_plan_meet(out, o->threads, err) &&
+           plb_plan_habits(out, o, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
 }
 
 static void report(const planner *p, const messenger *say)

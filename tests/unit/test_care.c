@@ -119,7 +119,7 @@ static void lines_that_others_end_upon_stray_little(void)
     add(&list, 110, 50, 110, 20, STROKE_LINE);  /* or met at its end, */
     add(&list, 10, 150, 110, 150, STROKE_LINE); /* and one with hatching upon it */
     add(&list, 50, 150, 60, 140, STROKE_HATCH);
-    CHECK(plb_plan_meet(&list, NULL));
+    CHECK(plb_plan_meet(&list, 1, NULL));
     for (size_t i = 0; i < list.strokes.n; i++)
         CHECK((list.strokes.v[i].room > 0) == (i == 0));
     CHECK_RANGE(list.strokes.v[0].room, 0.05, 0.35);

@@ -175,7 +175,7 @@ static void neighbours_get_room(void)
     add(&list, 20, 90, 180, 90, STROKE_LINE);   /* alone */
     add(&list, 100, 20, 100, 120, STROKE_LINE); /* crosses all */
     add(&list, 20, 90, 180, 93, STROKE_LINE);   /* meets an end */
-    CHECK(plb_plan_beside(&list, NULL));
+    CHECK(plb_plan_beside(&list, 1, NULL));
     CHECK_RANGE(list.strokes.v[0].room, 0.3, 0.4);
     CHECK_RANGE(list.strokes.v[1].room, 0.3, 0.4);
     CHECK(list.strokes.v[2].room == 0 && list.strokes.v[3].room == 0 && list.strokes.v[4].room == 0);
@@ -190,7 +190,7 @@ static void the_lines_of_a_wall_stay_apart(void)
     add(&list, 10, 51.2, 190, 51.2, STROKE_LINE);
     for (int i = 0; i < 2; i++)
         list.strokes.v[i].corner_first = list.strokes.v[i].corner_last = true;
-    CHECK(plb_plan_beside(&list, NULL) && plb_plan_identify(&list, NULL));
+    CHECK(plb_plan_beside(&list, 1, NULL) && plb_plan_identify(&list, NULL));
     double touching = 0;
     path_samples drawn[2] = {{0}, {0}};
     for (uint64_t seed = 1; seed <= 300; seed++) {
