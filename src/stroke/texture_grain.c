@@ -99,12 +99,13 @@ static double normal_at(const grain_tables *t, uint64_t key, uint64_t index)
     return t->normal[random_bits(key, index) >> 52];
 }
 
-/* How far lines of one pencil differ. From few lines, in a graded pencil two to nine, it is hardly known: then depth and width
- * keep within what a drawing by one hand shows (chosen by eye). From more it is as captured, but for outliers: beyond two
+/* How far lines of one pencil differ. From few lines, in a graded pencil two to nine, it is hardly known: then depth, width
+ * and roughness keep within what a drawing by one hand shows (chosen by eye). From more it is as captured, but for outliers: beyond two
  * standard deviations and more of a hand that was measured (.20 of either; w0054 of hdBPMN). */
 #define FEW_LINES 10
 #define DEPTH_SPREAD_OF_FEW 0.35
-#define WIDTH_SPREAD_OF_FEW 0.24
+#define WIDTH_SPREAD_OF_FEW 0.2
+#define ROUGHNESS_SPREAD_OF_FEW 0.2
 #define DEPTH_SPREAD 0.5
 #define WIDTH_SPREAD 0.4
 
@@ -112,7 +113,8 @@ static double normal_at(const grain_tables *t, uint64_t key, uint64_t index)
 static double most_spread(const profile *p, int figure)
 {
     bool few = p->lines < FEW_LINES;
-    return figure == 0 ? (few ? DEPTH_SPREAD_OF_FEW : DEPTH_SPREAD) : figure == 1 ? (few ? WIDTH_SPREAD_OF_FEW : WIDTH_SPREAD) : HUGE_VAL;
+    static const double of_few[] = {DEPTH_SPREAD_OF_FEW, WIDTH_SPREAD_OF_FEW, ROUGHNESS_SPREAD_OF_FEW}, of_many[] = {DEPTH_SPREAD, WIDTH_SPREAD};
+    return few ? (figure < 3 ? of_few[figure] : HUGE_VAL) : figure < 2 ? of_many[figure] : HUGE_VAL;
 }
 
 /* Who letters, turns the pencil to a fine point and takes care: strokes are narrower, darker and more alike (by eye). */
