@@ -167,15 +167,19 @@ _Static_assert(8 * ROOT_MAX <= INT16_MAX, "roots stay within 16 bits");
 
 static void fill_levels(const grain_tables *t, const int16_t coefficient[GRAIN_MODES], int16_t gain, uint8_t out[GRAIN_PLACES_PADDED])
 {
-    for (int j = 0; j < GRAIN_PLACES_PADDED; j += LANES) {
+    lanes of_mode[GRAIN_MODES], of_gain = lanes_all(gain);
+    for (int i = 0; i < GRAIN_MODES; i++)
+        of_mode[i] = lanes_all(coefficient[i]);
+    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j += LANES) {
         lanes root = lanes_at(t->root + j);
         for (int i = 0; i < GRAIN_MODES; i++)
-            root += lanes_high(lanes_all(coefficient[i]), lanes_at(t->mode[i] + j));
+            root += lanes_high(of_mode[i], lanes_at(t->mode[i] + j));
         root = lanes_within(root, 0, ROOT_MAX) * 8;
-        lanes_put_unsigned(out + j, (lanes_high(lanes_high(root, root), lanes_all(gain)) + 1) >> 1);
+        lanes_put_unsigned(out + j, (lanes_high(lanes_high(root, root), of_gain) + 1) >> 1);
     }
     out[0] = out[GRAIN_MODE_PLACES - 1] = 0; /* beyond, there is nothing */
 }
+_Static_assert((GRAIN_MODE_PLACES - 1) % LANES == 0, "all places but the last are a whole number of registers");
 
 /* Each mode's coefficient goes along its ring of slow numbers from a place of the stroke's own, in a sense of its own. */
 static void make_section(grain *g, const line_figures *f, const grain_ends *ends, uint64_t key)
