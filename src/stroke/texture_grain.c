@@ -109,12 +109,14 @@ static double normal_at(const grain_tables *t, uint64_t key, uint64_t index)
 #define DEPTH_SPREAD 0.5
 #define WIDTH_SPREAD 0.4
 
-/* The most that figure number i of a line may be off its mean. */
-static double most_spread(const profile *p, int figure)
+/* How far figure number i of a line is off its mean, where the profile has it `x` off: of few lines softly bounded, for many lines
+ * at the bound would look alike. */
+static double within_spread(const profile *p, int figure, double x)
 {
-    bool few = p->lines < FEW_LINES;
     static const double of_few[] = {DEPTH_SPREAD_OF_FEW, WIDTH_SPREAD_OF_FEW, ROUGHNESS_SPREAD_OF_FEW}, of_many[] = {DEPTH_SPREAD, WIDTH_SPREAD};
-    return few ? (figure < 3 ? of_few[figure] : HUGE_VAL) : figure < 2 ? of_many[figure] : HUGE_VAL;
+    if (p->lines < FEW_LINES)
+        return figure < 3 ? of_few[figure] * tanh(x / of_few[figure]) : x;
+    return figure < 2 ? clamp(x, -of_many[figure], of_many[figure]) : x;
 }
 
 /* Who letters, turns the pencil to a fine point and takes care: strokes are narrower, darker and more alike (by eye). */
@@ -131,8 +133,7 @@ static line_figures draw_line(const pencil *p, bool careful, uint64_t key)
         x[i] = 0;
         for (int j = 0; j <= i; j++)
             x[i] += g->line_factor[i][j] * n[j];
-        double spread = most_spread(p->profile, i);
-        x[i] = g->line_mean[i] + clamp(x[i], -spread, spread) * (careful ? CAREFUL_SPREAD : 1);
+        x[i] = g->line_mean[i] + within_spread(p->profile, i, x[i]) * (careful ? CAREFUL_SPREAD : 1);
     }
     line_figures f = {clamp(exp(x[0]), 1, 254), clamp(exp(x[1]), 0.5, 200), x[2], x[3], x[4], {0}};
     f.depth = careful ? fmin(f.depth * CAREFUL_DEPTH, 254) : f.depth;
