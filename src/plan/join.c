@@ -44,7 +44,7 @@ typedef struct {
     grid where;
     point *place;     /* of each end: looked at far more often than what else a stroke has */
     uint32_t *mate;   /* of each end: the end it goes on to, or NO_END */
-    uint8_t *meets;   /* of each end: how many others there are, at most 255 */
+    uint32_t *only;   /* of each end: the other one, where just one is near; or NO_END */
     pair_list pairs;
     pair_list by_member[TEAM_MAX]; /* before they are put together */
 } joiner;
@@ -131,7 +131,7 @@ static bool find_pairs(joiner *j, uint32_t end, pair_list *pairs)
 {
     uint32_t found[MOST_ENDS];
     size_t n = neighbours(j, end, j->tolerance, found);
-    j->meets[end] = (uint8_t)n;
+    j->only[end] = n == 1 ? found[0] : NO_END;
     if (n > MOST_ENDS)
         n = neighbours(j, end, TOUCHING_MM, found);
     if (n > MOST_ENDS)
@@ -186,7 +186,7 @@ static bool mate_ends(joiner *j, int threads)
 {
     size_t n = 2 * j->list->strokes.n;
     for (uint32_t end = 0; end < n; end++)
-        j->mate[end] = NO_END;
+        j->mate[end] = j->only[end] = NO_END;
     bool ok = find_all_pairs(j, threads);
     if (ok && j->pairs.n)
         qsort(j->pairs.v, j->pairs.n, sizeof *j->pairs.v, compare_pairs);
@@ -213,11 +213,10 @@ typedef struct {
 static bool is_corner(const joiner *j, uint32_t end)
 {
     const stroke *s = stroke_of(j, end);
-    uint32_t found[MOST_ENDS];
     if (end & 1 ? s->corner_last : s->corner_first)
         return true;
-    return j->mate[end] == NO_END && j->meets[end] == 1 && neighbours(j, end, j->tolerance, found) == 1 && j->mate[found[0]] == NO_END && found[0] / 2 != end / 2 &&
-           alike(stroke_of(j, found[0])->touch, s->touch);
+    uint32_t other = j->only[end];
+    return j->mate[end] == NO_END && other != NO_END && j->mate[other] == NO_END && other / 2 != end / 2 && alike(stroke_of(j, other)->touch, s->touch);
 }
 
 /* Appends the points of the stroke entered by `end`, but for one where the chain already is. */
@@ -288,12 +287,12 @@ bool plb_plan_join(stroke_list *list, double tolerance, int threads, error *err)
 {
     stroke_list made = {.width = list->width, .height = list->height};
     size_t n = 2 * list->strokes.n;
-    joiner j = {.list = list, .tolerance = tolerance, .mate = plb_new(n, sizeof *j.mate), .meets = plb_new(n, 1), .place = plb_new(n, sizeof *j.place)};
-    bool ok = plb_grid_init(&j.where, 4 * tolerance, n) && j.place && j.mate && j.meets && put_ends(&j) && mate_ends(&j, threads) && link_chains(&j, &made);
+    joiner j = {.list = list, .tolerance = tolerance, .mate = plb_new(n, sizeof *j.mate), .place = plb_new(n, sizeof *j.place), .only = plb_new(n, sizeof *j.only)};
+    bool ok = plb_grid_init(&j.where, 4 * tolerance, n) && j.place && j.only && j.mate && put_ends(&j) && mate_ends(&j, threads) && link_chains(&j, &made);
     plb_grid_free(&j.where);
     plb_free(j.place);
+    plb_free(j.only);
     plb_free(j.mate);
-    plb_free(j.meets);
     array_free(&j.pairs);
     plb_plan_replace(list, &made);
     return ok || plb_fail_memory(err);
