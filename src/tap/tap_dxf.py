@@ -396,7 +396,7 @@ def hatch_size(paths):
 
 
 def same_width(entity):
-    """The width of a polyline that has one and the same everywhere; None: no width or several."""
+    """The width of a polyline that has one and the same everywhere; None: no width, several, or an impossible one."""
     if entity.dxftype() == "LWPOLYLINE":
         constant = entity.dxf.get("const_width", 0)
         widths = {constant} if constant else {w for p in entity.lwpoints for w in p[2:4]}
@@ -405,7 +405,7 @@ def same_width(entity):
         widths = {w for v in entity.vertices for w in (v.dxf.get("start_width", start), v.dxf.get("end_width", end))}
     else:
         return None
-    return widths.pop() if len(widths) == 1 and widths != {0} else None
+    return widths.pop() if len(widths) == 1 and widths != {0} and is_sane(*widths) else None
 
 
 class Writer:
