@@ -8,6 +8,8 @@
 #include "base/random.h"
 #include "base/units.h"
 
+#include <math.h>
+
 #define MARGIN 36 /* px at 300 dpi, at either end of a line: 3 mm */
 
 typedef struct {
@@ -36,7 +38,8 @@ bool plb_api_sample(void *closure, const profile *p, int lines, int width, int h
     pencil *made = plb_pencil_on_paper(p, PAPER_MEDIUM, err);
     if (!made)
         return false;
-    stroke_options o = {.pencil = made, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .handed = HANDED_RIGHT, .squiggle = -1, .hand = p->hand, .dpi = PAPER_PX_PER_INCH};
+    double strays = fmin(p->hand, 1); /* one that strays farther than a free one would leave the picture */
+    stroke_options o = {.pencil = made, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .handed = HANDED_RIGHT, .squiggle = -1, .hand = strays, .dpi = PAPER_PX_PER_INCH};
     stroke_scratch scratch = {0};
     bool good = true;
     for (int i = 0; i < lines && good; i++) {

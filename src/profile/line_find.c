@@ -13,8 +13,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define BLUR_SIGMA 0.8   /* px; joins the grains of a line, chosen by eye */
+#define BLUR_SIGMA 0.8   /* in 1/300 inch, px of coarser scans; joins the grains of a line, chosen by eye */
 #define BLUR_RADIUS 3
+#define BLUR_MOST 4      /* beyond 1200 dpi the blur does not grow with the resolution: it would take long */
 #define DARK 0.90        /* a pixel darker than this share of the paper may be line, chosen by eye */
 /* In 1/300 inch, chosen by eye: */
 #define MAX_THICKNESS 20 /* thicker runs are crossings and blots */
@@ -37,7 +38,8 @@ typedef struct {
     const scan *s;
     double unit;
     int paper;
-    float kernel[BLUR_RADIUS + 1];
+    int radius; /* of the blur, px */
+    float kernel[BLUR_RADIUS * BLUR_MOST + 1];
     float *row_sums, *column; /* work space: one column each */
     ARRAY(dark_run) runs;
     ARRAY(const dark_run *) chains; /* the last run of each that is long enough to be taken on behind a gap */
@@ -50,29 +52,30 @@ static int clamp(int v, int low, int high)
 
 static void make_kernel(finder *f)
 {
-    double sum = 0;
-    for (int k = 0; k <= BLUR_RADIUS; k++)
-        sum += (k ? 2 : 1) * exp(-k * k / (2 * BLUR_SIGMA * BLUR_SIGMA));
-    for (int k = 0; k <= BLUR_RADIUS; k++)
-        f->kernel[k] = (float)(exp(-k * k / (2 * BLUR_SIGMA * BLUR_SIGMA)) / sum);
+    double sum = 0, scale = f->unit < 1 ? 1 : f->unit > BLUR_MOST ? BLUR_MOST : f->unit, sigma = BLUR_SIGMA * scale;
+    f->radius = (int)ceil(BLUR_RADIUS * scale);
+    for (int k = 0; k <= f->radius; k++)
+        sum += (k ? 2 : 1) * exp(-k * k / (2 * sigma * sigma));
+    for (int k = 0; k <= f->radius; k++)
+        f->kernel[k] = (float)(exp(-k * k / (2 * sigma * sigma)) / sum);
 }
 
 /* Column x of the scan under a Gaussian, into f->column. */
 static void blur_column(finder *f, int x)
 {
     const scan *s = f->s;
-    int column[2 * BLUR_RADIUS + 1];
-    for (int k = -BLUR_RADIUS; k <= BLUR_RADIUS; k++)
-        column[k + BLUR_RADIUS] = clamp(x + k, 0, s->width - 1);
+    int column[2 * BLUR_RADIUS * BLUR_MOST + 1], r = f->radius;
+    for (int k = -r; k <= r; k++)
+        column[k + r] = clamp(x + k, 0, s->width - 1);
     for (int y = 0; y < s->height; y++) {
         const uint8_t *row = s->grey + (size_t)y * (size_t)s->width;
         f->row_sums[y] = 0;
-        for (int k = -BLUR_RADIUS; k <= BLUR_RADIUS; k++)
-            f->row_sums[y] += f->kernel[abs(k)] * row[column[k + BLUR_RADIUS]];
+        for (int k = -r; k <= r; k++)
+            f->row_sums[y] += f->kernel[abs(k)] * row[column[k + r]];
     }
     for (int y = 0; y < s->height; y++) {
         f->column[y] = 0;
-        for (int k = -BLUR_RADIUS; k <= BLUR_RADIUS; k++)
+        for (int k = -r; k <= r; k++)
             f->column[y] += f->kernel[abs(k)] * f->row_sums[clamp(y + k, 0, s->height - 1)];
     }
 }

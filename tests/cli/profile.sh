@@ -182,6 +182,13 @@ for len in 0.42mm 0.08mm; do
 done
 free=$(hand_of hand-0.42mm.pencil) steady=$(hand_of hand-0.08mm.pencil)
 if awk -v a="${free%% *}" -v b="${steady%% *}" 'BEGIN { exit !(a > 0.6 && a < 1.6 && b > 0.08 && b < 0.45) }'; then ok "the hand is measured"; else fail "the hand is measured" "$free, $steady"; fi
+# At twice the resolution the grain shows finer gaps, and the line is the same line.
+px_of() { "$PLUMBAGO_PROFILE" show "$1" | sed -n 's/^measured on.* \([0-9]*\) px of line/\1/p'; }
+check "the same at 600 dpi" "$PLUMBAGO" -d 600 --squiggle 0.08mm -o 'fine-%s.png' hand-?.svg
+does "capture at 600 dpi" capture --as-measured -o fine.pencil fine-hand-?.png
+if [ "$(px_of fine.pencil)" -gt 8800 ]; then ok "all of the line is found, but for its ends"; else fail "all of the line is found" "$(px_of fine.pencil) of 9448 px"; fi
+fine=$(hand_of fine.pencil)
+if awk -v a="${steady%% *}" -v b="${fine%% *}" 'BEGIN { exit !(b > 0.8 * a && b < 1.25 * a) }'; then ok "and the hand"; else fail "and the hand" "$steady, $fine"; fi
 does "capture --free-hand" capture --as-measured --free-hand -o free.pencil hand-0.08mm-hand-?.png
 if [ "$(hand_of free.pencil)" = "a free one" ]; then ok "--free-hand leaves it out"; else fail "--free-hand leaves it out" "$(hand_of free.pencil)"; fi
 check "a line by a steady hand" "$PLUMBAGO" -p hand-0.08mm.pencil --dump=controls -o steady.txt hand-0.svg
