@@ -273,6 +273,7 @@ bool plb_profile_print_difference(const profile *a, const profile *b, FILE *to)
     pair(to, "full width", mm(a, a->width_tenth), mm(b, b->width_tenth), 3, "mm at a tenth of depth");
     pair(to, "spread of the centre", plb_histogram_sd(a->mid, PROFILE_GREYS - 1), plb_histogram_sd(b->mid, PROFILE_GREYS - 1), 1, "standard deviation, grey levels");
     pair(to, "step along the line", fa.step, fb.step, 1, "mean difference of neighbours, grey levels");
+    pair(to, "hand", a->hand > 0 ? a->hand : 1, b->hand > 0 ? b->hand : 1, 3, "times as far from the chord as a free hand");
     single(to, "centre histograms", earth_movers(a->mid, b->mid, PROFILE_GREYS), 2, "earth mover's distance, grey levels");
     single(to, "line histograms", earth_movers(a->range, b->range, PROFILE_GREYS), 2, "earth mover's distance, grey levels");
     single(to, "cross-sections", section_difference(a, b), 2, "root mean square, grey levels");

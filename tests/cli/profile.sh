@@ -109,7 +109,7 @@ does "show in lower case" show hb
 does "show draws" show --plot hb.png HB
 if [ "$(head -c 4 hb.png | od -An -tx1 | tr -d ' ')" = 89504e47 ] && [ "$(wc -c <hb.png)" -gt 20000 ]; then ok "the plot is a PNG"; else fail "the plot is a PNG"; fi
 does "a pencil compared with itself" compare HB hb
-if [ "$(grep -cE ' (0|0\.0+)  ' "$TMP/out")" -eq 10 ]; then ok "differs in nothing"; else fail "differs in nothing" "$(grep -vE ' (0|0\.0+)  ' "$TMP/out" | tail -n 1)"; fi
+if [ "$(grep -cE ' (0|0\.0+)  ' "$TMP/out")" -eq 11 ]; then ok "differs in nothing"; else fail "differs in nothing" "$(grep -vE ' (0|0\.0+)  ' "$TMP/out" | tail -n 1)"; fi
 does "hard and soft compared" compare 2H 8B
 if awk '/^centre / && $4 < -80 { c = 1 } /^width/ && $4 > 0.1 { w = 1 } /ACE/ && $3 > 1.3 && $3 <= 2 { a = 1 } END { exit !(c && w && a) }' "$TMP/out"; then ok "differ in darkness, width, co-occurrence"; else fail "differ in darkness, width, co-occurrence" "$(tr '\n' '|' <"$TMP/out")"; fi
 "$PLUMBAGO_PROFILE" compare 8B 2H | awk '/^co-occ|^line hist|^centre hist|^cross/ { print $(NF > 3 ? 3 : 2) }' >back
@@ -191,6 +191,7 @@ fine=$(hand_of fine.pencil)
 if awk -v a="${steady%% *}" -v b="${fine%% *}" 'BEGIN { exit !(b > 0.8 * a && b < 1.25 * a) }'; then ok "and the hand"; else fail "and the hand" "$steady, $fine"; fi
 does "capture --free-hand" capture --as-measured --free-hand -o free.pencil hand-0.08mm-hand-?.png
 if [ "$(hand_of free.pencil)" = "a free one" ]; then ok "--free-hand leaves it out"; else fail "--free-hand leaves it out" "$(hand_of free.pencil)"; fi
+is "compare tells hands apart" "$("$PLUMBAGO_PROFILE" compare hand-0.08mm.pencil free.pencil | awk '/^hand/ { print $2, $3 }')" "${steady%% *} 1.000"
 check "a line by a steady hand" "$PLUMBAGO" -p hand-0.08mm.pencil --dump=controls -o steady.txt hand-0.svg
 check "a line by a free hand" "$PLUMBAGO" -p free.pencil --dump=controls -o free.txt hand-0.svg
 if cmp -s steady.txt free.txt; then fail "a profile's hand draws"; else ok "a profile's hand draws"; fi
