@@ -25,8 +25,12 @@ cp "$ROOT/tests/stage/entities.dxf" drawings/small.dxf
 echo '%!PS << /PageSize [30 30] >> setpagedevice .6 setgray 5 5 moveto 25 5 lineto 25 25 lineto closepath fill showpage' | sed 's/ /\n/' >drawings/hatch.ps
 "$BUILD_DIR/tap-svg" <drawings/small.svg >svg.out
 "$BUILD_DIR/tap-dxf" <drawings/small.dxf >dxf.out 2>/dev/null
-for tap in svg dxf; do # in the script itself: in their cage they may read no other file
-    { printf '#!/bin/sh\ncat >/dev/null\ncat <<"THE END"\n' && cat $tap.out && printf '\nTHE END\n'; } >helpers/tap-$tap
+for tap in svg dxf; do # in the script itself, by the shell alone: in their cage they may read no other file, nor start another program
+    {
+        printf '#!/bin/sh\nwhile read -r l; do :; done\nwhile IFS= read -r l; do printf "%%s\\n" "$l"; done <<"THE END"\n'
+        cat $tap.out
+        printf '\nTHE END\n'
+    } >helpers/tap-$tap
     chmod +x helpers/tap-$tap
 done
 printf '<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="6mm" viewBox="0 0 40 6"><path d="M3 3H37" stroke="black" fill="none"/></svg>' >line.svg
