@@ -64,7 +64,7 @@ static void make_kernel(finder *f)
 static void blur_column(finder *f, int x)
 {
     const scan *s = f->s;
-    int column[2 * BLUR_RADIUS * BLUR_MOST + 1], r = f->radius;
+    int column[2 * BLUR_RADIUS * BLUR_MOST + 1] = {0}, r = f->radius;
     for (int k = -r; k <= r; k++)
         column[k + r] = clamp(x + k, 0, s->width - 1);
     for (int y = 0; y < s->height; y++) {
