@@ -182,6 +182,43 @@ static void neighbours_get_room(void)
     plb_stroke_list_free(&list);
 }
 
+/* Two thousand lines beside each other, each in three pieces; on every other one a short one ends. So many are shared out. */
+static stroke_list many_lines(int rows)
+{
+    stroke_list list = {.width = 30, .height = rows + 10};
+    for (int y = 5; y < rows + 5; y++) {
+        for (int k = 0; k < 3; k++)
+            add(&list, 5 + (y + k) % 3 * 6, y, 11 + (y + k) % 3 * 6, y, STROKE_LINE);
+        if (y % 2)
+            add(&list, 12, y, 12.3, y + 0.4, STROKE_LINE);
+    }
+    return list;
+}
+
+static void threads_change_no_stroke(void)
+{
+    enum { ROWS = 2100 };
+    static const int threads[] = {1, 2, 7};
+    stroke_list by[3];
+    for (int k = 0; k < 3; k++) {
+        by[k] = many_lines(ROWS);
+        CHECK(plb_plan_join(&by[k], 0.1, threads[k], NULL) && plb_plan_smooth(&by[k], NULL));
+        CHECK(plb_plan_beside(&by[k], threads[k], NULL) && plb_plan_meet(&by[k], threads[k], NULL));
+        CHECK(by[k].strokes.n == ROWS + ROWS / 2 && by[k].points.n == by[0].points.n);
+        CHECK(!memcmp(by[k].points.v, by[0].points.v, by[0].points.n * sizeof *by[0].points.v));
+        int beside = 0, met = 0;
+        for (size_t i = 0; i < by[k].strokes.n; i++) {
+            const stroke *s = &by[k].strokes.v[i], *t = &by[0].strokes.v[i];
+            CHECK(s->first == t->first && s->n == t->n && s->room == t->room);
+            beside += s->room > 0.3f;
+            met += s->room > 0 && s->room < 0.3f;
+        }
+        CHECK(beside == ROWS / 2 && met == ROWS / 2);
+    }
+    for (int k = 0; k < 3; k++)
+        plb_stroke_list_free(&by[k]);
+}
+
 /* Two lines of a wall, drawn by the hand with many seeds: they hardly ever touch. */
 static void the_lines_of_a_wall_stay_apart(void)
 {
@@ -217,6 +254,7 @@ int main(void)
     RUN(guides_carry_long_lines_on);
     RUN(guides_stay_on_the_page_and_cross_circles);
     RUN(neighbours_get_room);
+    RUN(threads_change_no_stroke);
     RUN(the_lines_of_a_wall_stay_apart);
     CHECK_EXIT;
 }

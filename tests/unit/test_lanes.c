@@ -58,6 +58,26 @@ static void bounds(void)
     }
 }
 
+static void sums_without_sign(void)
+{
+    int16_t drawn[2][LANES];
+    uint16_t a[LANES], b[LANES], out[LANES];
+    int cuts = 0;
+    for (uint64_t k = 0; k < TRIES; k++) {
+        fill(drawn[0], 2 * k);
+        fill(drawn[1], 2 * k + 1);
+        memcpy(a, drawn[0], sizeof a);
+        memcpy(b, drawn[1], sizeof b);
+        memcpy(out, a, sizeof out);
+        lanes_add_within(out, b);
+        for (int i = 0; i < LANES; i++) {
+            CHECK(out[i] == cut(a[i] + b[i], 0, 65535));
+            cuts += a[i] + b[i] > 65535;
+        }
+    }
+    CHECK(cuts > TRIES && cuts < (LANES - 1) * TRIES);
+}
+
 static void bytes_and_equal_numbers(void)
 {
     int8_t bytes[LANES];
@@ -78,6 +98,7 @@ int main(void)
 {
     RUN(products);
     RUN(bounds);
+    RUN(sums_without_sign);
     RUN(bytes_and_equal_numbers);
     CHECK_EXIT;
 }

@@ -133,6 +133,39 @@ static void deposits_darken_and_saturate(void)
     free_profile_for_tests(f);
 }
 
+/* Rows are worked on in whole registers: the sums are those of each pixel by itself, and beside the page there is nothing. */
+static void sums_are_those_of_each_pixel(void)
+{
+    enum { SIDE = 37 };
+    profile *f = profile_for_tests();
+    graphite ink;
+    page p;
+    plb_graphite_init(&ink, f);
+    CHECK(plb_page_init(&p, SIDE, SIDE, SIDE, false, &ink, NULL));
+    static uint32_t sums[SIDE][SIDE];
+    static patch one;
+    for (uint64_t k = 0; k < 60; k++) {
+        int bits = (int)(random_bits(k, 0) >> 40), side = 1 + bits % 50;
+        one = (patch){.x = bits / 50 % 57 - 20, .y = bits / 3000 % 57 - 20, .width = side, .height = side};
+        for (int y = 0; y < side; y++) {
+            one.from[y] = (uint8_t)(random_bits(k, (uint64_t)(1 + y)) % (uint64_t)(side + 1));
+            one.to[y] = (uint8_t)(random_bits(k, (uint64_t)(100 + y)) % (uint64_t)(side + 1));
+        }
+        for (int i = 0; i < side * side; i++) {
+            int x = i % side, y = i / side, px = one.x + x, py = one.y + y;
+            one.grey[i] = (uint8_t)random_bits(k, (uint64_t)(200 + i));
+            if (x >= one.from[y] && x < one.to[y] && px >= 0 && px < SIDE && py >= 0 && py < SIDE)
+                sums[py][px] += ink.deposit[one.grey[i]];
+        }
+        plb_page_lay(&p, &one, NULL);
+    }
+    for (size_t y = 0; y < SIDE; y++)
+        for (size_t x = 0; x < p.stride; x++)
+            CHECK(p.deposit[y * p.stride + x] == (x >= SIDE ? 0 : sums[y][x] > 65535 ? 65535 : sums[y][x]));
+    plb_page_free(&p);
+    free_profile_for_tests(f);
+}
+
 static void order_does_not_matter(void)
 {
     profile *f = profile_for_tests();
@@ -151,7 +184,7 @@ static void order_does_not_matter(void)
         plb_page_lay(&a, &patches[k], NULL);
         plb_page_lay(&b, &patches[(k * 7 + 3) % 40], NULL);
     }
-    CHECK(!memcmp(a.deposit, b.deposit, 60 * 60 * sizeof *a.deposit));
+    CHECK(!memcmp(a.deposit, b.deposit, a.plane * sizeof *a.deposit));
     plb_page_free(&a);
     plb_page_free(&b);
     free_profile_for_tests(f);
@@ -211,6 +244,7 @@ int main(void)
     RUN(curves_cover_each_pixel_once);
     RUN(resolutions_agree);
     RUN(deposits_darken_and_saturate);
+    RUN(sums_are_those_of_each_pixel);
     RUN(order_does_not_matter);
     RUN(a_line_on_a_cairo_surface);
     RUN(wrong_calls_are_refused);
