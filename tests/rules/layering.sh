@@ -82,3 +82,8 @@ case $BUILD_DIR in
 *asan* | *ubsan* | *tsan* | *cover*) skip "the library has no writable state" "an instrumented build has its own" ;;
 *) report "the library has no writable state" "$state" ;;
 esac
+
+# What tests and trials leave behind where they were started has once been committed with a change.
+allowed_at_top=' .ci .gitignore LICENSE Makefile NEWS.md README.md examples man profiles src tests '
+others=$(git -C "$ROOT" ls-files 2>/dev/null | sed 's#/.*##' | sort -u | while read -r name; do [[ $allowed_at_top == *" $name "* ]] || echo "$name"; done)
+report "nothing else lies at the top" "$others"
