@@ -2,6 +2,7 @@
  *
  * Cutting tracks: see cut.h. Used by clips and by what hides.
  */
+#include "base/sort.h"
 #include "plan/cut.h"
 
 #include <stdlib.h>
@@ -27,12 +28,6 @@ box plb_track_bounds(const track *t)
     for (size_t i = 0; i < t->points.n; i++)
         plb_box_add(&b, t->points.v[i].at);
     return b;
-}
-
-static int compare_numbers(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
 }
 
 static bool flush(cutter *k)
@@ -77,7 +72,7 @@ static bool cut_segment(cutter *k, track_point from, track_point to)
     k->at.n = 0;
     if (!k->rule->cross(k->rule->of, from.at, to.at, &k->at) || !array_push(&k->at, 1.0))
         return plb_fail_memory(k->err);
-    qsort(k->at.v, k->at.n, sizeof *k->at.v, compare_numbers);
+    qsort(k->at.v, k->at.n, sizeof *k->at.v, plb_compare_doubles);
     double length = plb_point_distance(from.at, to.at), before = 0;
     bool ok = true;
     for (size_t i = 0; ok && i < k->at.n; i++) {

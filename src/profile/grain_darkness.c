@@ -9,6 +9,7 @@
 #include "profile/grain_math.h"
 
 #include "base/array.h"
+#include "base/sort.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -69,12 +70,6 @@ static size_t count_within(const pixels *p, double centre, double reach)
     return n;
 }
 
-static int compare_double(const void *a, const void *b)
-{
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
 /* The darknesses of the pixels about level `row`, sorted; how many. */
 static size_t choose(pixels *p, int row)
 {
@@ -87,7 +82,7 @@ static size_t choose(pixels *p, int row)
     for (size_t i = 0; i < p->n; i++)
         if (fabs(p->level[i] - c) <= fmax(reach, NARROWEST))
             p->chosen[n++] = p->dark[i] - (c > SHIFT_ABOVE ? p->level[i] - c : 0);
-    qsort(p->chosen, n, sizeof *p->chosen, compare_double);
+    qsort(p->chosen, n, sizeof *p->chosen, plb_compare_doubles);
     return n;
 }
 

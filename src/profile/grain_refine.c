@@ -32,6 +32,12 @@ static float towards(float now, float measured, float drawn, double share)
     return (float)(now + share * (measured - drawn));
 }
 
+/* Of a figure that is still as measured. */
+static float corrected(float was, float drawn)
+{
+    return towards(was, was, drawn, SHARE);
+}
+
 static float scaled_towards(float now, double measured, double drawn)
 {
     double ratio = drawn > 0 ? clamp(measured / drawn, 1 / MOST_RATIO, MOST_RATIO) : 1;
@@ -60,22 +66,21 @@ static void correct(grain_model *g, const grain_model *drawn)
     const grain_model was = *g;
     double within = sum_of(was.mode_within, GRAIN_MODES), within_drawn = sum_of(drawn->mode_within, GRAIN_MODES);
     for (int k = 0; k < GRAIN_SECTION; k++)
-        g->section[k] = towards(was.section[k], was.section[k], drawn->section[k], SHARE);
+        g->section[k] = corrected(was.section[k], drawn->section[k]);
     for (int i = 0; i < GRAIN_MODES; i++)
         g->mode_within[i] = scaled_towards(was.mode_within[i], within, within_drawn);
     for (int i = 0; i < GRAIN_LEVELS; i++)
         correct_darkness(g->darkness[i], drawn->darkness[i]);
-    for (int k = 0; k < GRAIN_PLACES; k++)
-        g->place_scale[k] = scaled_towards(was.place_scale[k], (double)was.place_scale[k], (double)drawn->place_scale[k]);
     for (int k = 0; k < GRAIN_PLACES; k++) {
-        g->place_along[k] = towards(was.place_along[k], was.place_along[k], drawn->place_along[k], SHARE);
-        g->place_across[k] = towards(was.place_across[k], was.place_across[k], drawn->place_across[k], SHARE);
+        g->place_scale[k] = scaled_towards(was.place_scale[k], (double)was.place_scale[k], (double)drawn->place_scale[k]);
+        g->place_along[k] = corrected(was.place_along[k], drawn->place_along[k]);
+        g->place_across[k] = corrected(was.place_across[k], drawn->place_across[k]);
     }
-    g->volatility = towards(was.volatility, was.volatility, drawn->volatility, SHARE);
-    g->volatility_across = towards(was.volatility_across, was.volatility_across, drawn->volatility_across, SHARE);
+    g->volatility = corrected(was.volatility, drawn->volatility);
+    g->volatility_across = corrected(was.volatility_across, drawn->volatility_across);
     for (int i = 0; i < 3; i++)
-        g->line_mean[i] = towards(was.line_mean[i], was.line_mean[i], drawn->line_mean[i], SHARE);
-    g->line_mean[4] = towards(was.line_mean[4], was.line_mean[4], drawn->line_mean[4], SHARE);
+        g->line_mean[i] = corrected(was.line_mean[i], drawn->line_mean[i]);
+    g->line_mean[4] = corrected(was.line_mean[4], drawn->line_mean[4]);
     /* Of the correlation along, a line's own part is what it differs from the mean by: the chain has the mean. */
     g->chain_high = towards(was.chain_high, was.line_mean[3], drawn->line_mean[3], SHARE);
     g->chain_low = towards(was.chain_low, was.line_mean[3], drawn->line_mean[3], SHARE);

@@ -81,7 +81,7 @@ typedef struct {
     double section_sd[PROFILE_SECTION_BINS];
 
     grain_model grain;
-    double hand; /* how far the lines stray, times a free hand (hand.h), in thousandths; 0: not measured, as a free one */
+    double hand; /* how far the lines stray, times a free hand (hand.h), a multiple of 1/1000; 0: not measured, as a free one */
 
     uint32_t *ccm;           /* 256 × 256, ccm[i * 256 + j]: pixels of grey i whose neighbour along the line has j */
     char *provenance;        /* free text, UTF-8: scans, hand, licence, how the grade was assigned */

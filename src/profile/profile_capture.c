@@ -15,6 +15,8 @@
 #include "profile/profile.h"
 
 #include "base/array.h"
+#include "base/interpolate.h"
+#include "base/sort.h"
 #include "base/units.h"
 
 #include <math.h>
@@ -210,10 +212,9 @@ static int pooled_paper(const capture *c)
     return (int)floor(sum / columns + 0.5);
 }
 
-static int compare_double(const void *a, const void *b)
+static double fixed(double value, double unit)
 {
-    double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
+    return floor(value * unit + 0.5) / unit;
 }
 
 /* The median over the modes of all lines: a single line that slips does not tell. */
@@ -225,16 +226,11 @@ static bool pool_hand(const capture *c, profile *p, error *err)
         for (int k = 0; k < c->strips.v[i].strays && good; k++)
             good = array_push(&all, c->strips.v[i].stray[k]);
     if (good && all.n >= LEAST_STRAYS) {
-        qsort(all.v, all.n, sizeof *all.v, compare_double);
-        p->hand = fmin(fmax(floor(all.v[all.n / 2] * FORMAT_MILLI + 0.5), 1) / FORMAT_MILLI, FORMAT_MAX_HAND);
+        qsort(all.v, all.n, sizeof *all.v, plb_compare_doubles);
+        p->hand = clamp(fixed(all.v[all.n / 2], FORMAT_MILLI), 1 / FORMAT_MILLI, FORMAT_MAX_HAND);
     }
     array_free(&all);
     return good || plb_fail_memory(err);
-}
-
-static double fixed(double value, double unit)
-{
-    return floor(value * unit + 0.5) / unit;
 }
 
 /* To the steps of the file format: what is captured is what will be loaded. */

@@ -138,11 +138,6 @@ void plb_page_free(page *p)
     memset(p, 0, sizeof *p);
 }
 
-static uint16_t *row_of(const page *p, int plane, int y)
-{
-    return p->deposit + (size_t)plane * p->plane + (size_t)(y - p->top) * p->stride;
-}
-
 bool plb_page_next_band(page *p)
 {
     if (p->top + p->rows >= p->height)
@@ -150,7 +145,7 @@ bool plb_page_next_band(page *p)
     for (int y = p->top; y < p->top + p->rows; y++) {
         row_extent e = p->marked[y - p->top];
         for (int k = 0; e.from < e.to && k < p->planes; k++)
-            memset(row_of(p, k, y) + e.from, 0, (size_t)(e.to - e.from) * sizeof *p->deposit);
+            memset(plb_page_deposits(p, k, y) + e.from, 0, (size_t)(e.to - e.from) * sizeof *p->deposit);
     }
     begin_band(p, p->top + p->rows);
     return true;

@@ -64,6 +64,11 @@ bool plb_page_size(double width_px, double height_px, int *width, int *height, e
 /* A page, grey or in colour, with a first band of at most `rows`, blank. False and `err` when out of memory; free it then, too. */
 bool plb_page_init(page *p, int width, int height, int rows, bool colour, const graphite *ink, error *err);
 void plb_page_free(page *p);
+/* The deposits of row y of the page, in the band. */
+static inline uint16_t *plb_page_deposits(const page *p, int plane, int y)
+{
+    return p->deposit + (size_t)plane * p->plane + (size_t)(y - p->top) * p->stride;
+}
 /* On to the band below, blank; false at the foot of the page. */
 bool plb_page_next_band(page *p);
 /* Lays a patch of the pigment, on a grey page of graphite; what lies outside the band is lost. May be called by several

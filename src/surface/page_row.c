@@ -11,11 +11,6 @@ int plb_page_channels(page_background background, bool colour)
     return (colour ? PIGMENT_PLANES : 1) + (background == PAGE_TRANSPARENT);
 }
 
-static const uint16_t *row_of(const page *p, int plane, int y)
-{
-    return p->deposit + (size_t)plane * p->plane + (size_t)(y - p->top) * p->stride;
-}
-
 /* How opaque graphite or pigment must be that darkens white to `grey`. */
 static int alpha_of(const graphite *ink, int grey)
 {
@@ -26,7 +21,7 @@ static int alpha_of(const graphite *ink, int grey)
 static void grey_row(const page *p, int y, uint8_t *out)
 {
     row_extent e = p->marked[y - p->top];
-    const uint16_t *from = row_of(p, 0, y);
+    const uint16_t *from = plb_page_deposits(p, 0, y);
     memset(out, 255, (size_t)p->width);
     for (int x = e.from; x < e.to; x++)
         out[x] = p->ink->grey[from[x]];
@@ -34,7 +29,7 @@ static void grey_row(const page *p, int y, uint8_t *out)
 
 static void grey_alpha_row(const page *p, int y, uint8_t *out)
 {
-    const uint16_t *from = row_of(p, 0, y);
+    const uint16_t *from = plb_page_deposits(p, 0, y);
     for (int x = 0; x < p->width; x++) {
         out[2 * x] = (uint8_t)p->ink->darkest;
         out[2 * x + 1] = (uint8_t)alpha_of(p->ink, p->ink->grey[from[x]]);
@@ -46,7 +41,7 @@ static void colour_row(const page *p, int y, uint8_t *out)
     row_extent e = p->marked[y - p->top];
     memset(out, 255, (size_t)p->width * PIGMENT_PLANES);
     for (int k = 0; k < PIGMENT_PLANES; k++) {
-        const uint16_t *from = row_of(p, k, y);
+        const uint16_t *from = plb_page_deposits(p, k, y);
         for (int x = e.from; x < e.to; x++)
             out[PIGMENT_PLANES * x + k] = p->ink->grey[from[x]];
     }
@@ -71,7 +66,7 @@ static void colour_alpha_row(const page *p, int y, uint8_t *out)
     for (int x = 0; x < p->width; x++) {
         uint8_t opaque[PIGMENT_PLANES];
         for (int k = 0; k < PIGMENT_PLANES; k++)
-            opaque[k] = p->ink->grey[row_of(p, k, y)[x]];
+            opaque[k] = p->ink->grey[plb_page_deposits(p, k, y)[x]];
         colour_alpha_pixel(p->ink, opaque, out + (PIGMENT_PLANES + 1) * x);
     }
 }
