@@ -1,7 +1,7 @@
 # Plumbago: one Makefile for everything. `make help` lists the targets.
 # SPDX-License-Identifier: MIT
 
-VERSION = 0.1.0
+VERSION = 0.2.0
 
 # ---- settings ---------------------------------------------------------------------------------------------
 PREFIX  = /usr/local
@@ -51,8 +51,12 @@ LDFLAGS_tap = $(filter-out -fsanitize=thread,$(LDFLAGS_ALL))
 CFLAGS_stroke = $(if $(filter release,$(BUILD)),-O3)
 CFLAGS_surface = $(CFLAGS_stroke)
 
-layers   = base list profile input plan stroke surface api
-lib_src  = $(foreach d,$(layers),$(wildcard src/$(d)/*.c))
+# Folders lie in folders: all of a layer, however deep.
+below    = $(sort $(shell find $(1) -name '$(2)'))
+layers   = base system list profile input plan stroke surface api
+lib_src  = $(foreach d,$(layers),$(call below,src/$(d),*.c)) $(reader_src)
+# The readers of foreign formats that still run in the library's own process.
+reader_src = $(call below,src/tap/ps,*.c) $(wildcard src/tap/svg/cairoscript*.c) src/tap/common/scan.c
 lib_obj  = $(lib_src:src/%.c=$(O)/%.o)
 pencils  = $(wildcard profiles/*.pencil)
 c_tests  = $(wildcard tests/unit/*.c tests/stat/*.c tests/stage/*.c)
@@ -70,7 +74,7 @@ all: $(programs) $(O)/libplumbago.a
 $(O)/prefix: FORCE
 	@mkdir -p $(@D) && echo '$(PREFIX)' | cmp -s - $@ || echo '$(PREFIX)' > $@
 FORCE:
-$(O)/input/process.o: $(O)/prefix
+$(O)/system/process.o: $(O)/prefix
 
 $(O)/%.o: src/%.c
 	$(say) CC $<
@@ -95,23 +99,23 @@ $(O)/plumbago $(O)/plumbago-profile:
 
 # The taps include nothing of ours; the one links librsvg, the other libxml2 alone, which starts in a fifth of the time.
 # They are made again when flags change.
-plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain_*.c)) $(O)/tap/tap_page.o
-tap_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/*.c))
+plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain/plain_*.c)) $(O)/tap/common/tap_page.o
+tap_obj = $(patsubst src/%.c,$(O)/%.o,$(filter-out $(reader_src),$(call below,src/tap,*.c)))
 $(O)/tap-flags: FORCE
 	@mkdir -p $(@D) && echo '$(CC) $(CFLAGS_ALL) $(CFLAGS_tap) $(LDFLAGS_ALL)' | cmp -s - $@ || echo '$(CC) $(CFLAGS_ALL) $(CFLAGS_tap) $(LDFLAGS_ALL)' > $@
 $(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/tap-flags
 	$(say) CC $<
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS_ALL) $(CFLAGS_tap) $(shell pkg-config --cflags $(packages_tap)) -c $< -o $@
-$(O)/tap-svg: $(O)/tap/tap_svg.o $(O)/tap/tap_losses.o $(O)/tap/tap_memory.o $(O)/tap/tap_page.o
+$(O)/tap-svg: $(O)/tap/svg/tap_svg.o $(O)/tap/common/tap_omissions.o $(O)/tap/common/tap_memory.o $(O)/tap/common/tap_page.o
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_tap) $(filter %.o,$^) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
-$(O)/tap-plain: $(O)/tap/tap_plain.o $(plain_obj)
+$(O)/tap-plain: $(O)/tap/plain/tap_plain.o $(plain_obj)
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_tap) $(filter %.o,$^) $(shell pkg-config --libs $(packages_plain)) -lm -o $@
 
 # The other tap is a script around the library ezdxf.
-$(O)/tap-dxf: src/tap/tap_dxf.py
+$(O)/tap-dxf: src/tap/dxf/tap_dxf.py
 	@mkdir -p $(@D)
 	$(Q)install $< $@
 

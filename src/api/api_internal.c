@@ -31,9 +31,9 @@ static void say(void *closure, message_level level, const char *text)
     a->message(a->closure, level == MESSAGE_WARNING ? 0 : 1, text);
 }
 
-messenger plb_api_messenger(const api_adaptor *adaptor)
+log_sink plb_api_messenger(const api_adaptor *adaptor)
 {
-    messenger m = {adaptor->message ? say : NULL, (void *)(uintptr_t)adaptor};
+    log_sink m = {adaptor->message ? say : NULL, (void *)(uintptr_t)adaptor};
     return m;
 }
 

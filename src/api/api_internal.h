@@ -8,15 +8,15 @@
 
 #include "api/plumbago.h"
 #include "base/error.h"
-#include "list/list.h"
-#include "list/strokes.h"
+#include "list/display_list.h"
+#include "list/stroke_list.h"
 #include "profile/profile.h"
 
 typedef struct pencil_rack pencil_rack; /* see pencils.h */
 
 struct plb_profile {
     profile *p;
-    pencil_rack *rack; /* what has been made from it */
+    pencil_rack *pencil_cache; /* what has been made from it */
 };
 
 /* Empty; NULL when out of memory. */
@@ -35,11 +35,11 @@ bool plb_api_fail(plb_error *to, const error *from);
 /* The end of a call: true when `from` holds no error, else as plb_api_fail. */
 bool plb_api_finish(const error *from, plb_error *to);
 
-/* The caller's message function as the library's messenger: `adaptor` must outlive what plb_api_messenger returns. */
+/* The caller's message function as the library's log_sink: `adaptor` must outlive what plb_api_messenger returns. */
 typedef struct {
     plb_message_function message;
     void *closure;
 } api_adaptor;
-messenger plb_api_messenger(const api_adaptor *adaptor);
+log_sink plb_api_messenger(const api_adaptor *adaptor);
 
 #endif

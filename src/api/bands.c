@@ -6,7 +6,7 @@
 #include "api/bands.h"
 
 #include "base/array.h"
-#include "base/team.h"
+#include "system/thread_team.h"
 
 #include <string.h>
 
@@ -22,8 +22,8 @@ typedef struct {
     const stroke_options *o;
     int rows, bands;
     span *spans;
-    stroke_scratch scratch[TEAM_MAX];
-    error err[TEAM_MAX];
+    stroke_scratch scratch[THREAD_TEAM_MAX];
+    error err[THREAD_TEAM_MAX];
 } finder;
 
 static bool find(finder *f, int member, size_t i)
@@ -77,9 +77,9 @@ bool plb_bands_init(band_strokes *b, const stroke_list *list, const stroke_optio
     if (ok) {
         *f = (finder){.list = list, .o = o, .rows = rows, .bands = (int)b->n, .spans = spans};
         if (b->n > 1) /* else all lie in it */
-            ok = plb_team_run(members, (n + BATCH - 1) / BATCH, find_batch, f);
+            ok = plb_thread_team_run(members, (n + BATCH - 1) / BATCH, find_batch, f);
         ok = ok && sort(b, spans, n);
-        for (int k = 0; k < TEAM_MAX; k++) {
+        for (int k = 0; k < THREAD_TEAM_MAX; k++) {
             if (f->err[k].kind != ERROR_NONE)
                 plb_fail(err, f->err[k].kind, "%s", f->err[k].text);
             plb_stroke_scratch_free(&f->scratch[k]);

@@ -6,7 +6,7 @@
 
 #include "api/tone.h"
 #include "base/array.h"
-#include "base/random.h"
+#include "base/number/random.h"
 
 #include <math.h>
 #include <string.h>
@@ -33,11 +33,11 @@ static bool fit(display_list *list, const plb_options *o, error *err)
 }
 
 /* Nothing is left out silently. */
-static void report_losses(const plb_drawing *d, const messenger *say)
+static void report_omissions(const plb_drawing *d, const log_sink *say)
 {
-    plb_losses_report(&d->list.losses, d->name, say);
+    plb_omissions_report(&d->list.omissions, d->name, say);
     if (d->strokes.strokes.n == 0)
-        plb_say(say, MESSAGE_WARNING, "%s: nothing in it leaves a mark: the page is empty", d->name);
+        plb_log(say, MESSAGE_WARNING, "%s: nothing in it leaves a mark: the page is empty", d->name);
 }
 
 static bool set_name(plb_drawing *d, const char *name, error *err)
@@ -60,7 +60,7 @@ static void mark_page(stroke_list *s, unsigned number)
 static void say_named(void *closure, message_level level, const char *text)
 {
     const input_source *in = closure;
-    plb_say(&in->say, level, "%s: %s", in->name, text);
+    plb_log(&in->say, level, "%s: %s", in->name, text);
 }
 
 static bool draw(plb_drawing *d, const input_source *in, const plb_options *o, error *err)
@@ -68,14 +68,14 @@ static bool draw(plb_drawing *d, const input_source *in, const plb_options *o, e
     if (!plb_input_read(in, &d->list, err) || !set_name(d, in->name, err))
         return false;
     plan_options how = plb_api_plan_options(o);
-    messenger named = {say_named, (void *)(uintptr_t)in};
+    log_sink named = {say_named, (void *)(uintptr_t)in};
     error late = {ERROR_NONE, ""};
-    plb_list_count_losses(&d->list);
+    plb_list_count_omissions(&d->list);
     if (!fit(&d->list, o, &late) || (plb_api_needs_tone(&d->list, &how) && !plb_api_measure_tone(o, &how, &late)) ||
         !plb_plan(&d->list, &how, &named, &d->strokes, &late))
         return plb_fail(err, late.kind, "%s: %s", d->name, late.text);
     mark_page(&d->strokes, o->page);
-    report_losses(d, &in->say);
+    report_omissions(d, &in->say);
     return true;
 }
 

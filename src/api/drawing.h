@@ -30,9 +30,9 @@ typedef struct {
     const pencil *pencil; /* the profile's */
     graphite ink;
     stroke_options stroke;
-} drawing_tools;
+} render_context;
 
-bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err);
-void plb_api_tools_free(drawing_tools *t);
+bool plb_api_context_init(render_context *t, const plb_options *o, error *err);
+void plb_api_context_free(render_context *t);
 
 #endif

@@ -4,8 +4,8 @@
  */
 #include "api/drawing.h"
 
-#include "base/output.h"
-#include "surface/controls.h"
+#include "system/output.h"
+#include "surface/plot/controls.h"
 
 #include <errno.h>
 #include <string.h>
@@ -38,13 +38,13 @@ static bool fill_picture(controls_picture *c, const stroke_list *list, const str
 
 static bool write_controls(const plb_drawing *d, const plb_options *o, FILE *to, const char *file, error *err)
 {
-    drawing_tools t;
-    if (!plb_api_tools_init(&t, o, err))
+    render_context t;
+    if (!plb_api_context_init(&t, o, err))
         return false;
     controls_picture *c = plb_controls_new(d->list.width, d->list.height, o->dpi, err);
     bool ok = c && fill_picture(c, &d->strokes, &t.stroke, err) && plb_controls_write(c, to, plb_output_shown(file), err);
     plb_controls_free(c);
-    plb_api_tools_free(&t);
+    plb_api_context_free(&t);
     return ok;
 }
 

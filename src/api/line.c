@@ -4,8 +4,8 @@
  */
 #include "api/drawing.h"
 
-#include "base/random.h"
-#include "base/units.h"
+#include "base/number/random.h"
+#include "base/number/units.h"
 
 #include <math.h>
 
@@ -38,9 +38,9 @@ bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, do
     bool sane = fabs(x0) < 1e6 && fabs(y0) < 1e6 && fabs(x1) < 1e6 && fabs(y1) < 1e6;
     if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS || cairo_surface_get_type(surface) != CAIRO_SURFACE_TYPE_IMAGE || !sane)
         plb_fail(&err, ERROR_ARGUMENT, "a line needs an image surface and ends within a million pixels");
-    drawing_tools t;
-    if (err.kind == ERROR_NONE && plb_api_tools_init(&t, o, &err)) {
-        stroke one = {.touch = TOUCH_USUAL, .identity = identity_of(ends, number), .n = 2};
+    render_context t;
+    if (err.kind == ERROR_NONE && plb_api_context_init(&t, o, &err)) {
+        stroke one = {.style = STROKE_STYLE_USUAL, .identity = identity_of(ends, number), .n = 2};
         stroke_list list = {.strokes = {&one, 1, 1}, .points = {ends, 2, 2}};
         stroke_scratch scratch = {0};
         line_target to = {surface, &t.ink};
@@ -49,7 +49,7 @@ bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, do
             plb_fail(&err, ERROR_ARGUMENT, "cairo cannot draw on this surface");
         cairo_surface_mark_dirty(surface);
         plb_stroke_scratch_free(&scratch);
-        plb_api_tools_free(&t);
+        plb_api_context_free(&t);
     }
     return plb_api_finish(&err, failed);
 }

@@ -4,8 +4,8 @@
  */
 #include "api/drawing.h"
 
-#include "base/team.h"
-#include "input/process.h"
+#include "system/thread_team.h"
+#include "system/process.h"
 
 #include <math.h>
 #include <string.h>
@@ -37,8 +37,8 @@ bool plb_api_check(const plb_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "the scale must be at most 10000");
     if (!(o->width >= 0 && o->height >= 0 && o->width <= 1e5 && o->height <= 1e5))
         return plb_fail(err, ERROR_ARGUMENT, "the page's size must be at most 100 m");
-    if (o->threads < 0 || o->threads > TEAM_MAX || o->compress < 0 || o->compress > 9)
-        return plb_fail(err, ERROR_ARGUMENT, "threads must be 0 to %d, the compression 0 to 9", TEAM_MAX);
+    if (o->threads < 0 || o->threads > THREAD_TEAM_MAX || o->compress < 0 || o->compress > 9)
+        return plb_fail(err, ERROR_ARGUMENT, "threads must be 0 to %d, the compression 0 to 9", THREAD_TEAM_MAX);
     if (!(o->squiggle <= 1000))
         return plb_fail(err, ERROR_ARGUMENT, "the squiggle must be at most 1 m");
     if (!(o->limit_time >= 1 && o->limit_time <= 1e6 && o->limit_memory >= 64 && o->limit_memory <= 1e6))
@@ -69,7 +69,7 @@ plan_options plb_api_plan_options(const plb_options *o)
     how.restate = o->restate;
     how.construction = o->construction;
     how.seed = o->seed;
-    how.threads = o->threads > 0 ? o->threads : plb_team_processors();
+    how.threads = o->threads > 0 ? o->threads : plb_thread_team_processors();
     how.colour = o->colour;
     return how;
 }

@@ -37,7 +37,7 @@ void plb_api_rack_free(pencil_rack *r)
 
 const pencil *plb_api_pencil(const plb_profile *p, line_model model, paper_kind on, error *err)
 {
-    pencil_rack *r = p->rack;
+    pencil_rack *r = p->pencil_cache;
     pencil **place = model == MODEL_HLA ? &r->of_papers_model : &r->on[on];
     pthread_mutex_lock(&r->lock);
     if (!*place)

@@ -105,7 +105,7 @@ typedef enum {
 } plb_model;
 
 typedef enum {
-    PLB_ARM_OWN,    /* the model's own: hand for graphite, jerk for hla */
+    PLB_ARM_DEFAULT,    /* the model's own: hand for graphite, jerk for hla */
     PLB_ARM_HAND,   /* a free hand as measured */
     PLB_ARM_JERK,   /* minimum jerk with random deviation: Al-Meraj et al. 2008 */
     PLB_ARM_SPRING, /* the force model of the authors' earlier manuscript */

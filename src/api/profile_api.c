@@ -6,9 +6,9 @@
 #include "api/plumbago.h"
 #include "api/sample.h"
 #include "base/array.h"
-#include "base/units.h"
+#include "base/number/units.h"
 #include "profile/profile.h"
-#include "surface/profile_plot.h"
+#include "surface/plot/profile_plot.h"
 
 #include <errno.h>
 #include <string.h>
@@ -22,9 +22,9 @@ const char *plb_pencil_name(size_t index)
 static plb_profile *wrap(profile *p, error *failed, plb_error *to)
 {
     plb_profile *out = p ? plb_new(1, sizeof *out) : NULL;
-    pencil_rack *rack = out ? plb_api_rack_new() : NULL;
-    if (rack) {
-        *out = (plb_profile){p, rack};
+    pencil_rack *pencil_cache = out ? plb_api_rack_new() : NULL;
+    if (pencil_cache) {
+        *out = (plb_profile){p, pencil_cache};
         return out;
     }
     if (p)
@@ -45,7 +45,7 @@ void plb_profile_free(plb_profile *pencil)
 {
     if (!pencil)
         return;
-    plb_api_rack_free(pencil->rack);
+    plb_api_rack_free(pencil->pencil_cache);
     plb_profile_release(pencil->p);
     plb_free(pencil);
 }

@@ -7,8 +7,8 @@
 
 #include "api/bands.h"
 #include "base/array.h"
-#include "base/team.h"
-#include "base/units.h"
+#include "system/thread_team.h"
+#include "base/number/units.h"
 
 /* Strokes that a thread takes at a time, and of which the caller hears as progress. */
 #define BATCH 16
@@ -31,17 +31,17 @@ typedef struct {
     page *page;
     const uint32_t *index; /* the band's strokes */
     size_t n, band, bands;
-    layer layer[TEAM_MAX];
-    stroke_scratch scratch[TEAM_MAX];
-    error err[TEAM_MAX];
-} crew;
+    layer layer[THREAD_TEAM_MAX];
+    stroke_scratch scratch[THREAD_TEAM_MAX];
+    error err[THREAD_TEAM_MAX];
+} render_job;
 
 static int members_for(const plb_drawing *d, const plb_options *o, double pixels)
 {
-    double asked = o->threads > 0 ? o->threads : plb_team_processors();
+    double asked = o->threads > 0 ? o->threads : plb_thread_team_processors();
     double useful = 1 + (double)d->strokes.strokes.n / STROKES_PER_MEMBER + pixels / PIXELS_PER_MEMBER;
     double n = asked < useful ? asked : useful;
-    return n < TEAM_MAX ? (int)n : TEAM_MAX;
+    return n < THREAD_TEAM_MAX ? (int)n : THREAD_TEAM_MAX;
 }
 
 bool plb_page_plan(const plb_drawing *d, const plb_options *o, page_plan *plan, error *err)
@@ -70,11 +70,11 @@ static bool lay(void *closure, const patch *p)
     return true;
 }
 
-static bool draw_stroke(crew *c, int member, const stroke *s)
+static bool draw_stroke(render_job *c, int member, const stroke *s)
 {
     layer *l = &c->layer[member];
-    if (l->page != c->page || s->touch.colour != l->with.colour)
-        plb_pigment_init(&l->with, c->page->ink, s->touch.colour);
+    if (l->page != c->page || s->style.colour != l->with.colour)
+        plb_pigment_init(&l->with, c->page->ink, s->style.colour);
     l->page = c->page;
     return plb_stroke_draw(&c->d->strokes, s, &c->how, &c->scratch[member], lay, l, &c->err[member]);
 }
@@ -87,7 +87,7 @@ static void report(const plb_options *o, double done)
 
 static bool draw_batch(void *closure, int member, size_t batch)
 {
-    crew *c = closure;
+    render_job *c = closure;
     if (member == 0)
         report(c->o, ((double)c->band + (double)(batch * BATCH) / (double)c->n) / (double)c->bands);
     for (size_t i = batch * BATCH; i < (batch + 1) * BATCH && i < c->n; i++)
@@ -97,22 +97,22 @@ static bool draw_batch(void *closure, int member, size_t batch)
 }
 
 /* The first failed thread's error: they fail for want of memory or because a stroke is too long, whichever it is. */
-static bool fail(const crew *c, error *err)
+static bool fail(const render_job *c, error *err)
 {
-    for (int k = 0; k < TEAM_MAX; k++)
+    for (int k = 0; k < THREAD_TEAM_MAX; k++)
         if (c->err[k].kind != ERROR_NONE)
             return plb_fail(err, c->err[k].kind, "%s: %s", c->d->name, c->err[k].text);
     return plb_fail_memory(err);
 }
 
-static bool draw_bands(crew *c, const band_strokes *bands, int members, band_sink sink, void *closure, error *err)
+static bool draw_bands(render_job *c, const band_strokes *bands, int members, band_sink sink, void *closure, error *err)
 {
     do {
         c->index = bands->index + bands->first[c->band];
         c->n = bands->first[c->band + 1] - bands->first[c->band];
         c->how.clip_top = c->page->top;
-        c->how.clip_foot = c->page->top + c->page->rows;
-        if (!plb_team_run(members, (c->n + BATCH - 1) / BATCH, draw_batch, c))
+        c->how.clip_bottom = c->page->top + c->page->rows;
+        if (!plb_thread_team_run(members, (c->n + BATCH - 1) / BATCH, draw_batch, c))
             return fail(c, err);
         if (!sink(closure, c->page, err))
             return false;
@@ -122,18 +122,18 @@ static bool draw_bands(crew *c, const band_strokes *bands, int members, band_sin
     return true;
 }
 
-bool plb_render(const plb_drawing *d, const plb_options *o, const drawing_tools *t, const page_plan *plan, band_sink sink, void *closure,
+bool plb_render(const plb_drawing *d, const plb_options *o, const render_context *t, const page_plan *plan, band_sink sink, void *closure,
                 error *err)
 {
     page p;
     band_strokes bands = {0};
-    crew *c = plb_new(1, sizeof *c);
+    render_job *c = plb_new(1, sizeof *c);
     bool ok = plb_page_init(&p, plan->width, plan->height, plan->rows, o->colour, &t->ink, err) &&
               plb_bands_init(&bands, &d->strokes, &t->stroke, plan->height, plan->rows, plan->members, err);
     if (ok && c) {
-        *c = (crew){.d = d, .o = o, .how = t->stroke, .page = &p, .bands = bands.n};
+        *c = (render_job){.d = d, .o = o, .how = t->stroke, .page = &p, .bands = bands.n};
         ok = draw_bands(c, &bands, plan->members, sink, closure, err);
-        for (int k = 0; k < TEAM_MAX; k++)
+        for (int k = 0; k < THREAD_TEAM_MAX; k++)
             plb_stroke_scratch_free(&c->scratch[k]);
     }
     plb_free(c);

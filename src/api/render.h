@@ -25,7 +25,7 @@ bool plb_page_plan(const plb_drawing *d, const plb_options *o, page_plan *plan, 
 void plb_page_plan_rows(page_plan *plan, int multiple);
 
 /* Draws the strokes and hands over each band. The same pixels whatever `plan->rows` and `plan->members` are. */
-bool plb_render(const plb_drawing *d, const plb_options *o, const drawing_tools *t, const page_plan *plan, band_sink sink, void *closure,
+bool plb_render(const plb_drawing *d, const plb_options *o, const render_context *t, const page_plan *plan, band_sink sink, void *closure,
                 error *err);
 
 #endif

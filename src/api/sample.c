@@ -5,8 +5,8 @@
 #include "api/drawing.h"
 #include "api/sample.h"
 
-#include "base/random.h"
-#include "base/units.h"
+#include "base/number/random.h"
+#include "base/number/units.h"
 
 #include <math.h>
 
@@ -46,7 +46,7 @@ bool plb_api_sample(void *closure, const profile *p, int lines, int width, int h
         /* Lines lie in all ways over the rows of pixels, and each on paper of its own. */
         double y = (height / 2 + (double)i / lines) * mm;
         point ends[2] = {{MARGIN * mm, y}, {(width - MARGIN) * mm, y}};
-        stroke one = {.touch = TOUCH_USUAL, .identity = random_mix((uint64_t)i), .n = 2};
+        stroke one = {.style = STROKE_STYLE_USUAL, .identity = random_mix((uint64_t)i), .n = 2};
         stroke_list list = {.strokes = {&one, 1, 1}, .points = {ends, 2, 2}};
         picture to = {grey + (size_t)i * (size_t)width * (size_t)height, width, height};
         o.seed = (uint64_t)i;

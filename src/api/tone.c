@@ -5,21 +5,21 @@
  */
 #include "api/tone.h"
 
-#include "base/units.h"
-#include "plan/hatch.h"
-#include "plan/hatch_tone.h"
+#include "base/number/units.h"
+#include "plan/hatch/hatch.h"
+#include "plan/hatch/hatch_tone.h"
 
 #include <math.h>
 
 /* Side of a swatch: so many lines across, but within bounds, mm; drawn at a coarse resolution, for its mean only. */
 #define SWATCH_LINES 9
-#define SWATCH_LEAST 5.0
-#define SWATCH_MOST 14.0
+#define SWATCH_MIN 5.0
+#define SWATCH_MAX 14.0
 #define SWATCH_DPI 150.0
 /* Left out all around: there ends stray, and the outline runs. */
 #define SWATCH_EDGE 0.8
 /* Each step is darker than the one before by this at least, though a swatch's chance would have it otherwise. */
-#define LEAST_STEP 0.004
+#define MIN_STEP 0.004
 /* Seed of swatches: the scale belongs to the pencil, not to the drawing. */
 #define SWATCH_SEED 1
 
@@ -68,7 +68,7 @@ static double mean_darkness(const swatch *s)
     return n > 0 ? sum / n / 255 : 0;
 }
 
-static bool draw_strokes(const stroke_list *strokes, const drawing_tools *t, swatch *s, error *err)
+static bool draw_strokes(const stroke_list *strokes, const render_context *t, swatch *s, error *err)
 {
     stroke_options how = t->stroke;
     stroke_scratch scratch = {0};
@@ -100,7 +100,7 @@ static bool plan_swatch(double side, double darkness, const plan_options *how, s
     return ok;
 }
 
-static bool measure(double side, double darkness, const plan_options *how, const drawing_tools *t, double *result, error *err)
+static bool measure(double side, double darkness, const plan_options *how, const render_context *t, double *result, error *err)
 {
     stroke_list strokes = {0};
     swatch s = {.side = (int)ceil(side / MM_PER_INCH * SWATCH_DPI), .ink = &t->ink};
@@ -115,8 +115,8 @@ static bool measure(double side, double darkness, const plan_options *how, const
 
 bool plb_api_measure_tone(const plb_options *o, plan_options *how, error *err)
 {
-    drawing_tools t;
-    if (!plb_api_tools_init(&t, o, err))
+    render_context t;
+    if (!plb_api_context_init(&t, o, err))
         return false;
     plan_options plain = *how;
     tone_scale found;
@@ -127,13 +127,13 @@ bool plb_api_measure_tone(const plb_options *o, plan_options *how, error *err)
     bool ok = true;
     for (int k = 0; ok && k < TONE_STEPS; k++) {
         double side = SWATCH_LINES * plb_technique((double)k / (TONE_STEPS - 1), how->pencil_width).spacing[0] + 2 * SWATCH_EDGE;
-        side = side < SWATCH_LEAST ? SWATCH_LEAST : side > SWATCH_MOST ? SWATCH_MOST : side;
+        side = side < SWATCH_MIN ? SWATCH_MIN : side > SWATCH_MAX ? SWATCH_MAX : side;
         ok = measure(side, plain.tone.darkness[k], &plain, &t, &found.darkness[k], err);
         if (k > 0)
-            found.darkness[k] = fmax(found.darkness[k], found.darkness[k - 1] + LEAST_STEP);
+            found.darkness[k] = fmax(found.darkness[k], found.darkness[k - 1] + MIN_STEP);
     }
     if (ok)
         how->tone = found;
-    plb_api_tools_free(&t);
+    plb_api_context_free(&t);
     return ok;
 }

@@ -12,10 +12,10 @@
 
 plb_arm plb_api_arm(const plb_options *o)
 {
-    return o->arm != PLB_ARM_OWN ? o->arm : o->model == PLB_MODEL_HLA ? PLB_ARM_JERK : PLB_ARM_HAND;
+    return o->arm != PLB_ARM_DEFAULT ? o->arm : o->model == PLB_MODEL_HLA ? PLB_ARM_JERK : PLB_ARM_HAND;
 }
 
-bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
+bool plb_api_context_init(render_context *t, const plb_options *o, error *err)
 {
     memset(t, 0, sizeof *t);
     if (!plb_api_check(o, err))
@@ -31,7 +31,7 @@ bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
     line_model model = o->model == PLB_MODEL_GRAPHITE ? MODEL_GRAPHITE : MODEL_HLA;
     t->pencil = plb_api_pencil(t->profile, model, papers[o->paper], err);
     if (!t->pencil) {
-        plb_api_tools_free(t);
+        plb_api_context_free(t);
         return false;
     }
     plb_graphite_init(&t->ink, t->profile->p);
@@ -45,7 +45,7 @@ bool plb_api_tools_init(drawing_tools *t, const plb_options *o, error *err)
     return true;
 }
 
-void plb_api_tools_free(drawing_tools *t)
+void plb_api_context_free(render_context *t)
 {
     plb_profile_free(t->own); /* and its pencils */
     t->pencil = NULL;

@@ -4,8 +4,8 @@
  */
 #include "api/render.h"
 
-#include "base/output.h"
-#include "surface/picture.h"
+#include "system/output.h"
+#include "surface/picture/picture.h"
 
 #include <string.h>
 
@@ -15,7 +15,7 @@ typedef struct {
     const char *text[11];
 } labels;
 
-static void label(labels *l, const plb_options *o, const drawing_tools *t)
+static void label(labels *l, const plb_options *o, const render_context *t)
 {
     static const char *const arms[] = {"", "hand", "jerk", "spring", "lognormal", "torque"};
     snprintf(l->seed, sizeof l->seed, "%llu", (unsigned long long)o->seed);
@@ -38,10 +38,10 @@ static bool add_band(void *closure, const page *band, error *err)
 /* Draws into the open file. */
 static bool draw_into(FILE *to, const plb_drawing *d, const plb_options *o, picture_options how, const char *name, error *err)
 {
-    drawing_tools t;
+    render_context t;
     page_plan plan;
     labels l;
-    if (!plb_api_tools_init(&t, o, err))
+    if (!plb_api_context_init(&t, o, err))
         return false;
     label(&l, o, &t);
     how.text = l.text;
@@ -53,7 +53,7 @@ static bool draw_into(FILE *to, const plb_drawing *d, const plb_options *o, pict
         ok = p && plb_render(d, o, &t, &plan, add_band, p, err) && plb_picture_end(p, err);
         plb_picture_free(p);
     }
-    plb_api_tools_free(&t);
+    plb_api_context_free(&t);
     return ok;
 }
 
@@ -98,7 +98,7 @@ static bool copy_band(void *closure, const page *band, error *err)
     return plb_page_to_cairo(band, to->background, to->surface) || plb_fail_memory(err);
 }
 
-static cairo_surface_t *draw_surface(const plb_drawing *d, const plb_options *o, const drawing_tools *t, error *err)
+static cairo_surface_t *draw_surface(const plb_drawing *d, const plb_options *o, const render_context *t, error *err)
 {
     page_plan plan;
     if (!plb_page_plan(d, o, &plan, err))
@@ -114,11 +114,11 @@ static cairo_surface_t *draw_surface(const plb_drawing *d, const plb_options *o,
 cairo_surface_t *plb_drawing_render(const plb_drawing *d, const plb_options *o, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
-    drawing_tools t;
+    render_context t;
     cairo_surface_t *result = NULL;
-    if (plb_api_tools_init(&t, o, &err)) {
+    if (plb_api_context_init(&t, o, &err)) {
         result = draw_surface(d, o, &t, &err);
-        plb_api_tools_free(&t);
+        plb_api_context_free(&t);
     }
     plb_api_finish(&err, failed);
     return result;

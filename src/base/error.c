@@ -32,7 +32,7 @@ void plb_error_clear(error *err)
     err->text[0] = '\0';
 }
 
-void plb_say(const messenger *to, message_level level, const char *format, ...)
+void plb_log(const log_sink *to, message_level level, const char *format, ...)
 {
     if (!to || !to->say)
         return;

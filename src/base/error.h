@@ -38,7 +38,7 @@ typedef enum { MESSAGE_WARNING, MESSAGE_DETAIL } message_level;
 typedef struct {
     void (*say)(void *closure, message_level level, const char *text);
     void *closure;
-} messenger;
-void plb_say(const messenger *to, message_level level, const char *format, ...) __attribute__((format(printf, 3, 4)));
+} log_sink;
+void plb_log(const log_sink *to, message_level level, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 #endif

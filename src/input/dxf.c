@@ -3,9 +3,9 @@
  * DXF: the helper program tap-dxf (Python, the library ezdxf) turns the file into an SVG text in memory, which is
  * then read like any other SVG. It also chooses the scale on paper, which becomes the list's.
  */
-#include "input/reader.h"
+#include "input/converter.h"
 
-#include "base/number.h"
+#include "base/number/number.h"
 
 #include <string.h>
 
@@ -42,13 +42,13 @@ static void pass_on(const input_source *in, char *text)
         next = line + n + (line[n] != '\0');
         line[n] = '\0';
         if (!strncmp(line, warning, strlen(warning)))
-            plb_say(&in->say, MESSAGE_WARNING, "%s: %s", in->name, line + strlen(warning));
+            plb_log(&in->say, MESSAGE_WARNING, "%s: %s", in->name, line + strlen(warning));
         else if (!strncmp(line, detail, strlen(detail)))
-            plb_say(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, line + strlen(detail));
+            plb_log(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, line + strlen(detail));
     }
 }
 
-static bool run_tap(const input_source *in, reader_bytes *svg, error *err)
+static bool run_tap(const input_source *in, converter_bytes *svg, error *err)
 {
     char program[PROCESS_PATH_MAX], name[] = "tap-dxf";
     const char *argv[] = {name, NULL};
@@ -56,7 +56,7 @@ static bool run_tap(const input_source *in, reader_bytes *svg, error *err)
     error late = {ERROR_NONE, ""};
     if (!plb_process_find(in->helper_dir, name, program, &late))
         return plb_fail(err, late.kind, "%s: %s", in->name, late.text);
-    if (!plb_reader_run(in, "ezdxf", program, argv, &p, svg, err))
+    if (!plb_converter_run(in, "ezdxf", program, argv, &p, svg, err))
         return false;
     if (p.code != TAP_DONE)
         return explain_end(in, &p, err);
@@ -65,7 +65,7 @@ static bool run_tap(const input_source *in, reader_bytes *svg, error *err)
 }
 
 /* The first line, "%%Plumbago-tap-dxf 1 SCALE"; `rest` gets what follows it. */
-static bool read_head(const reader_bytes *all, double *scale, size_t *rest)
+static bool read_head(const converter_bytes *all, double *scale, size_t *rest)
 {
     static const char sign[] = "%%Plumbago-tap-dxf 1 ";
     size_t n = strlen(sign);
@@ -78,7 +78,7 @@ static bool read_head(const reader_bytes *all, double *scale, size_t *rest)
 
 bool plb_read_dxf(const input_source *in, display_list *list, error *err)
 {
-    reader_bytes svg = {0};
+    converter_bytes svg = {0};
     size_t rest = 0;
     double scale = 1;
     bool good = run_tap(in, &svg, err);

@@ -5,10 +5,10 @@
  */
 #include "input/ghostscript.h"
 
-#include "base/number.h"
-#include "base/units.h"
-#include "input/reader.h"
-#include "input/scratch.h"
+#include "base/number/number.h"
+#include "base/number/units.h"
+#include "input/converter.h"
+#include "system/scratch.h"
 
 #include <math.h>
 #include <stdio.h>
@@ -50,7 +50,7 @@ static void set_arguments(arguments *a, const gs_page *page)
         a->argv[i] = all[i];
 }
 
-static bool make_pdf(const input_source *in, const gs_page *page, reader_bytes *pdf, error *err)
+static bool make_pdf(const input_source *in, const gs_page *page, converter_bytes *pdf, error *err)
 {
     char program[PROCESS_PATH_MAX];
     scratch temporary;
@@ -64,18 +64,18 @@ static bool make_pdf(const input_source *in, const gs_page *page, reader_bytes *
     set_arguments(&a, page);
     input_source with_folder = *in;
     with_folder.limits.scratch = temporary.folder;
-    bool ok = plb_reader_run(&with_folder, WHO, program, a.argv, &p, pdf, &why);
+    bool ok = plb_converter_run(&with_folder, WHO, program, a.argv, &p, pdf, &why);
     plb_scratch_close(&temporary);
     if (!ok)
         return plb_fail(err, p.pid < 0 ? ERROR_FILE : why.kind, "%s", why.text);
     if (p.code != 0 || !pdf->n) {
-        const char *text = plb_reader_message(&p);
+        const char *text = plb_converter_message(&p);
         return plb_fail(err, strstr(text, DISK_IS_FULL) ? ERROR_FILE : ERROR_UNSUPPORTED, "%s: Ghostscript: %.200s", in->name, text);
     }
     return true;
 }
 
-static input_source as_pdf(const input_source *in, const reader_bytes *pdf)
+static input_source as_pdf(const input_source *in, const converter_bytes *pdf)
 {
     input_source made = *in;
     made.data = pdf->v;
@@ -86,7 +86,7 @@ static input_source as_pdf(const input_source *in, const reader_bytes *pdf)
 
 bool plb_read_by_ghostscript(const input_source *in, const gs_page *page, display_list *list, error *err)
 {
-    reader_bytes pdf = {0};
+    converter_bytes pdf = {0};
     bool ok = make_pdf(in, page, &pdf, err);
     if (ok) {
         input_source from = as_pdf(in, &pdf);
@@ -100,7 +100,7 @@ bool plb_read_by_ghostscript(const input_source *in, const gs_page *page, displa
 
 bool plb_count_pages_by_ghostscript(const input_source *in, const gs_page *page, unsigned *pages, error *err)
 {
-    reader_bytes pdf = {0};
+    converter_bytes pdf = {0};
     bool ok = make_pdf(in, page, &pdf, err);
     if (ok) {
         input_source from = as_pdf(in, &pdf);

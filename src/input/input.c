@@ -110,7 +110,7 @@ bool plb_input_read(const input_source *in, display_list *list, error *err)
     const input_format *f = find_format(in, err);
     if (!f)
         return false;
-    plb_say(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, f->name);
+    plb_log(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, f->name);
     if (!f->count_pages && in->page > 1)
         return plb_fail(err, ERROR_ARGUMENT, "%s: it has no page %u, only 1", in->name, in->page);
     return f->read(in, list, err);

@@ -6,8 +6,8 @@
 #define PLB_INPUT_INPUT_H
 
 #include "base/error.h"
-#include "input/process.h"
-#include "list/list.h"
+#include "system/process.h"
+#include "list/display_list.h"
 
 #include <stddef.h>
 
@@ -16,7 +16,7 @@ typedef struct {
     const char *data;       /* all its bytes (may hold NULs); lives as long as the call */
     size_t size;
     const char *helper_dir; /* where tap-svg and its like are looked for first; NULL: beside the program, then the installed place */
-    messenger say;          /* warnings and details */
+    log_sink say;          /* warnings and details */
     unsigned page;          /* which page of several, from 1 */
     process_limits limits;  /* of each foreign program */
 } input_source;

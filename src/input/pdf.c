@@ -2,7 +2,7 @@
  *
  * PDF: poppler's pdftocairo writes one page as SVG, which goes the way of SVG. Its text arrives as glyph outlines.
  */
-#include "input/reader.h"
+#include "input/converter.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -21,12 +21,12 @@ static bool find_program(const input_source *in, char program[PROCESS_PATH_MAX],
            plb_fail(err, ERROR_HELPER, "%s: reading PDF needs the program " PROGRAM " (Debian: poppler-utils), which is not installed", in->name);
 }
 
-static bool run(const input_source *in, unsigned page, process *p, reader_bytes *svg, error *err)
+static bool run(const input_source *in, unsigned page, process *p, converter_bytes *svg, error *err)
 {
     char program[PROCESS_PATH_MAX], number[16];
     const char *argv[] = {PROGRAM, "-svg", "-f", number, "-l", number, "-", "-", NULL};
     snprintf(number, sizeof number, "%u", page);
-    return find_program(in, program, err) && plb_reader_run(in, PROGRAM, program, argv, p, svg, err);
+    return find_program(in, program, err) && plb_converter_run(in, PROGRAM, program, argv, p, svg, err);
 }
 
 /* "Wrong page range given: the first page (5) can not be after the last page (1).": 1; 0: another message. */
@@ -41,7 +41,7 @@ static bool fail_to_read(const input_source *in, process *p, error *err)
 {
     if (strstr(p->message, "Incorrect password"))
         return plb_fail(err, ERROR_UNSUPPORTED, "%s: the document is locked by a password", in->name);
-    const char *text = plb_reader_message(p);
+    const char *text = plb_converter_message(p);
     return plb_fail(err, p->code == PDF_CANNOT_OPEN || p->code == PDF_OTHER ? ERROR_SYNTAX : ERROR_HELPER, "%s: cannot be read as PDF: %.200s", in->name,
                     *text ? text : PROGRAM " gave up without a word");
 }
@@ -49,7 +49,7 @@ static bool fail_to_read(const input_source *in, process *p, error *err)
 bool plb_count_pdf_pages(const input_source *in, unsigned *pages, error *err)
 {
     process p;
-    reader_bytes nothing = {0};
+    converter_bytes nothing = {0};
     bool ok = run(in, BEYOND_ALL_PAGES, &p, &nothing, err);
     array_free(&nothing);
     *pages = ok ? (unsigned)pages_said(&p) : 0;
@@ -62,13 +62,13 @@ static void warn_of_others(const input_source *in)
     unsigned pages;
     error ignored = {0};
     if (!in->page && plb_count_pdf_pages(in, &pages, &ignored) && pages > 1)
-        plb_say(&in->say, MESSAGE_WARNING, "%s: only the first page of %u is drawn (--page)", in->name, pages);
+        plb_log(&in->say, MESSAGE_WARNING, "%s: only the first page of %u is drawn (--page)", in->name, pages);
 }
 
 bool plb_read_pdf(const input_source *in, display_list *list, error *err)
 {
     process p;
-    reader_bytes svg = {0};
+    converter_bytes svg = {0};
     bool ok = run(in, in->page ? in->page : 1, &p, &svg, err);
     unsigned long pages = ok ? pages_said(&p) : 0;
     if (ok && pages)

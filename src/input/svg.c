@@ -7,8 +7,8 @@
  */
 #include "input/input.h"
 
-#include "input/cairoscript.h"
-#include "input/reader.h"
+#include "tap/svg/cairoscript.h"
+#include "input/converter.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -44,7 +44,7 @@ static bool fail_with_message(const input_source *in, error_kind kind, char *mes
 static outcome explain_end(const input_source *in, process *p, error *err)
 {
     error why = {0};
-    if (!plb_reader_ended_by_itself(in, "librsvg", p, &why)) {
+    if (!plb_converter_ended_by_itself(in, "librsvg", p, &why)) {
         plb_fail(err, why.kind, "%s", why.text);
         return why.kind == ERROR_HELPER ? CRASHED : FAILED;
     }
@@ -68,7 +68,7 @@ static outcome run_tap(const input_source *in, const char *program, manner how, 
     argv[n] = NULL;
     process p;
     error reading = {0};
-    if (!plb_reader_start(in, "librsvg", program, argv, &p, &reading)) {
+    if (!plb_converter_start(in, "librsvg", program, argv, &p, &reading)) {
         plb_fail(err, reading.kind, "%s: %s", in->name, reading.text);
         return FAILED;
     }
@@ -89,9 +89,9 @@ static outcome run_tap(const input_source *in, const char *program, manner how, 
 static void warn(const input_source *in, manner how, const error *first)
 {
     if (how.recover)
-        plb_say(&in->say, MESSAGE_WARNING, "%s; drawn as far as it can be read", first->text);
+        plb_log(&in->say, MESSAGE_WARNING, "%s; drawn as far as it can be read", first->text);
     if (how.no_text)
-        plb_say(&in->say, MESSAGE_WARNING, "%s: its text is left out: librsvg cannot set it", in->name);
+        plb_log(&in->say, MESSAGE_WARNING, "%s: its text is left out: librsvg cannot set it", in->name);
 }
 
 /* ---- plain drawings ----------------------------------------------------------------------------------------- */
@@ -124,7 +124,7 @@ static bool looks_plain(const input_source *in)
 static bool is_hopeless(const input_source *in, const process *p, const error *reading, error *err)
 {
     if (p->end == PROCESS_TIMED_OUT)
-        return !plb_reader_ended_by_itself(in, "tap-plain", p, err);
+        return !plb_converter_ended_by_itself(in, "tap-plain", p, err);
     return (reading->kind == ERROR_LIMIT || reading->kind == ERROR_MEMORY) && !plb_fail(err, reading->kind, "%s: %s", in->name, reading->text);
 }
 
@@ -135,7 +135,7 @@ static outcome read_plain(const input_source *in, display_list *list, error *err
     char program[PROCESS_PATH_MAX];
     process p;
     error why = {0};
-    if (!looks_plain(in) || !plb_process_find(in->helper_dir, argv[0], program, &why) || !plb_reader_start(in, argv[0], program, argv, &p, &why))
+    if (!looks_plain(in) || !plb_process_find(in->helper_dir, argv[0], program, &why) || !plb_converter_start(in, argv[0], program, argv, &p, &why))
         return MALFORMED;
     cairoscript_source from = {.refill = refill, .closure = &p};
     plb_read_cairoscript(&from, list, &why);
@@ -146,7 +146,7 @@ static outcome read_plain(const input_source *in, display_list *list, error *err
     plb_list_init(list);
     if (is_hopeless(in, &p, &why, err))
         return FAILED;
-    plb_say(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, p.end == PROCESS_EXITED && p.code ? plb_reader_message(&p) : why.text);
+    plb_log(&in->say, MESSAGE_DETAIL, "%s: %s", in->name, p.end == PROCESS_EXITED && p.code ? plb_converter_message(&p) : why.text);
     return MALFORMED;
 }
 

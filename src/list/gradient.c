@@ -2,7 +2,7 @@
  *
  * Gradients: the colour at a place (SVG 2, section 14; cairo's definition of two-circle gradients).
  */
-#include "list/list.h"
+#include "list/display_list.h"
 
 #include <math.h>
 

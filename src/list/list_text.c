@@ -15,10 +15,10 @@
  * `gradient@INDEX` stands in place of `colour`; R G B A is then the mean.
  * PATH is M X Y, L X Y, C X Y X Y X Y, Z; millimetres with three decimals.
  */
-#include "list/list.h"
-#include "list/strokes.h"
+#include "list/display_list.h"
+#include "list/stroke_list.h"
 
-#include "base/number.h"
+#include "base/number/number.h"
 
 static void print_number(FILE *to, double v)
 {
@@ -132,7 +132,7 @@ bool plb_list_print(const display_list *list, FILE *to)
     return !ferror(to);
 }
 
-static void print_touch(FILE *to, touch t)
+static void print_touch(FILE *to, stroke_style t)
 {
     static const char *const kinds[] = {[STROKE_LINE] = "line", [STROKE_HATCH] = "hatch", [STROKE_LETTER] = "letter", [STROKE_GUIDE] = "guide"};
     fprintf(to, " %s", kinds[t.kind]);
@@ -148,7 +148,7 @@ bool plb_stroke_list_print(const stroke_list *s, FILE *to)
     for (size_t i = 0; i < s->strokes.n; i++) {
         const stroke *it = &s->strokes.v[i];
         fprintf(to, "stroke %016llx %s", (unsigned long long)it->identity, it->closed ? "closed" : "open");
-        print_touch(to, it->touch);
+        print_touch(to, it->style);
         for (size_t k = 0; k < it->n; k++)
             print_point(to, s->points.v[it->first + k]);
         fputc('\n', to);

@@ -7,16 +7,16 @@
  */
 #include "plan/plan.h"
 
-#include "plan/clip.h"
-#include "plan/dash.h"
-#include "plan/habits.h"
-#include "plan/hatch.h"
-#include "plan/hidden.h"
-#include "plan/letter.h"
-#include "plan/pass.h"
+#include "plan/item/clip.h"
+#include "plan/item/dash.h"
+#include "plan/habits/habits.h"
+#include "plan/hatch/hatch.h"
+#include "plan/hidden/occlusion.h"
+#include "plan/letter/letter.h"
+#include "plan/strokes/pass.h"
 #include "plan/track.h"
-#include "plan/weight.h"
-#include "plan/wide.h"
+#include "plan/item/weight.h"
+#include "plan/item/wide.h"
 
 #include <string.h>
 
@@ -51,11 +51,11 @@ static bool add_stroke(void *closure, const track *t)
 {
     planner *p = closure;
     stroke_list *out = p->out;
-    if (t->points.n < 2 || (t->touch.kind != STROKE_LINE && plb_track_length(t) < SHORTEST_STROKE_MM))
+    if (t->points.n < 2 || (t->style.kind != STROKE_LINE && plb_track_length(t) < SHORTEST_STROKE_MM))
         return true;
     if (out->strokes.n >= PLAN_MAX_STROKES || t->points.n > PLAN_MAX_POINTS - out->points.n)
         return plb_fail(p->err, ERROR_LIMIT, "the drawing has more than %u strokes or %u points", PLAN_MAX_STROKES, PLAN_MAX_POINTS);
-    stroke s = {.touch = t->touch, .first = out->points.n, .n = t->points.n, .closed = t->closed, .corner_first = t->corner_first, .corner_last = t->corner_last};
+    stroke s = {.style = t->style, .first = out->points.n, .n = t->points.n, .closed = t->closed, .corner_first = t->corner_first, .corner_last = t->corner_last};
     if (!array_reserve(&out->points, t->points.n) || !array_push(&out->strokes, s))
         return plb_fail_memory(p->err);
     for (size_t i = 0; i < t->points.n; i++)
@@ -73,7 +73,7 @@ static bool cut_at_corners(void *closure, const track *t)
 static bool calm(void *closure, const track *t)
 {
     planner *p = closure;
-    return t->touch.kind == STROKE_LINE ? plb_plan_calm(t, p->how->pencil_width, cut_at_corners, p, p->err) : cut_at_corners(p, t);
+    return t->style.kind == STROKE_LINE ? plb_plan_simplify(t, p->how->pencil_width, cut_at_corners, p, p->err) : cut_at_corners(p, t);
 }
 
 static point drawn_back(point end, point towards, double by)
@@ -86,7 +86,7 @@ static point drawn_back(point end, point towards, double by)
 static bool leave_out_scraps(void *closure, const track *t)
 {
     planner *p = closure;
-    if (t == p->whole || t->touch.kind != STROKE_HATCH)
+    if (t == p->whole || t->style.kind != STROKE_HATCH)
         return calm(p, t);
     if (plb_track_length(t) < p->how->pencil_width)
         return true;
@@ -111,15 +111,15 @@ static bool leave_out_hidden(void *closure, const track *t)
     return plb_plan_hide(p->cover, p->index, t, leave_out_scraps, p, p->err);
 }
 
-static touch touch_of(const planner *p)
+static stroke_style style_of(const planner *p)
 {
-    return plb_touch_of(p->it, p->how, p->usual_width);
+    return plb_style_of(p->it, p->how, p->usual_width);
 }
 
 static bool add_dot(planner *p, point at)
 {
     track_point ends[2] = {{{at.x - DOT_MM / 2, at.y}, false}, {{at.x + DOT_MM / 2, at.y}, false}};
-    track dot = {.points = {ends, 2, 2}, .touch = touch_of(p)};
+    track dot = {.points = {ends, 2, 2}, .style = style_of(p)};
     return leave_out_hidden(p, &dot);
 }
 
@@ -136,7 +136,7 @@ static bool add_line(void *closure, const track *t)
 {
     planner *p = closure;
     track touched = *t; /* the points stay the sender's */
-    touched.touch = touch_of(p);
+    touched.style = style_of(p);
     return plb_plan_clip(p->clip, p->it->clip, &touched, cut_into_dashes, p, p->err);
 }
 
@@ -151,7 +151,7 @@ static bool add_passes(void *closure, const track *t)
 {
     planner *p = closure;
     track touched = *t;
-    touched.touch = touch_of(p);
+    touched.style = style_of(p);
     return plb_plan_passes(p->it, &touched, p->how, add_mark, p, p->err);
 }
 
@@ -191,8 +191,8 @@ static bool add_letter(void *closure, const track *t)
 {
     planner *p = closure;
     track touched = *t;
-    touched.touch.pressure *= touch_of(p).pressure;
-    touched.touch.colour = touch_of(p).colour;
+    touched.style.pressure *= style_of(p).pressure;
+    touched.style.colour = style_of(p).colour;
     return p->how->text != TEXT_HAND || add_mark(p, &touched);
 }
 
@@ -218,7 +218,7 @@ static bool draw_fill(planner *p)
     if (is_letter)
         return true;
     bool outline = p->how->fill == FILL_OUTLINE;
-    if (p->how->fill == FILL_HATCH && !plb_plan_hatch(&p->hatcher, p->it, touch_of(p).colour, &outline, add_mark, p, p->err))
+    if (p->how->fill == FILL_HATCH && !plb_plan_hatch(&p->hatcher, p->it, style_of(p).colour, &outline, add_mark, p, p->err))
         return false;
     return !outline || p->outlined || draw_outline(p);
 }
@@ -272,21 +272,21 @@ static void drop_scraps(stroke_list *out)
 static bool arrange(stroke_list *out, const plan_options *o, error *err)
 {
     double same = SAME_LINE_WIDTHS * o->pencil_width;
-    if (!plb_plan_clear(out, o->pencil_width, err) || !plb_plan_undouble(out, same, err) || !plb_plan_join(out, same, o->threads, err))
+    if (!plb_plan_clearance(out, o->pencil_width, err) || !plb_plan_duplicates(out, same, err) || !plb_plan_join(out, same, o->threads, err))
         return false;
     drop_scraps(out);
-    return plb_plan_smooth(out, err) && plb_plan_beside(out, o->threads, err) && plb_plan_meet(out, o->threads, err) &&
+    return plb_plan_smooth(out, err) && plb_plan_neighbours(out, o->threads, err) && plb_plan_junctions(out, o->threads, err) &&
            plb_plan_habits(out, o, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
 }
 
-static void report(const planner *p, const messenger *say)
+static void report(const planner *p, const log_sink *say)
 {
-    plb_say(say, MESSAGE_DETAIL, "%zu items make %zu strokes", p->list->items.n, p->out->strokes.n);
+    plb_log(say, MESSAGE_DETAIL, "%zu items make %zu strokes", p->list->items.n, p->out->strokes.n);
     if (plb_cover_is_exhausted(p->cover))
-        plb_say(say, MESSAGE_WARNING, "too many areas lie over each other: not all hidden lines are left out");
+        plb_log(say, MESSAGE_WARNING, "too many areas lie over each other: not all hidden lines are left out");
 }
 
-bool plb_plan(const display_list *list, const plan_options *o, const messenger *say, stroke_list *out, error *err)
+bool plb_plan(const display_list *list, const plan_options *o, const log_sink *say, stroke_list *out, error *err)
 {
     memset(out, 0, sizeof *out);
     out->width = list->width;

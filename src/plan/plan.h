@@ -6,8 +6,8 @@
 #define PLB_PLAN_PLAN_H
 
 #include "base/error.h"
-#include "list/list.h"
-#include "list/strokes.h"
+#include "list/display_list.h"
+#include "list/stroke_list.h"
 
 /* The most strokes and points that a plan may hold; beyond: ERROR_LIMIT. */
 #define PLAN_MAX_STROKES 5000000u
@@ -38,6 +38,6 @@ typedef struct {
 plan_options plb_plan_options_default(void);
 
 /* Fills `out`, which the caller frees on success; on failure it is empty. */
-bool plb_plan(const display_list *list, const plan_options *o, const messenger *say, stroke_list *out, error *err);
+bool plb_plan(const display_list *list, const plan_options *o, const log_sink *say, stroke_list *out, error *err);
 
 #endif

@@ -8,9 +8,9 @@
 
 #include "base/array.h"
 #include "base/error.h"
-#include "base/path.h"
-#include "list/list.h"
-#include "list/strokes.h"
+#include "base/geometry/path.h"
+#include "list/display_list.h"
+#include "list/stroke_list.h"
 
 #include <stdbool.h>
 #include <stdint.h>
@@ -24,7 +24,7 @@ typedef struct {
     ARRAY(track_point) points; /* no two neighbours equal; of a closed track, first and last are the same point */
     bool closed;
     bool corner_first, corner_last; /* an end where another stroke goes on round a corner */
-    touch touch;
+    stroke_style style;
     double start; /* arc length from the subpath's beginning to the first point, mm: where its dashes stand */
 } track;
 
@@ -43,8 +43,8 @@ typedef bool (*track_sink)(void *closure, const track *t);
 /* flatten.c: subpaths of `p` as tracks, with corners marked; `close` closes open ones, as a fill does. A subpath without
  * length becomes a track of one point. */
 bool plb_plan_flatten(const path *p, bool close, track_sink sink, void *closure, error *err);
-/* calm.c: `t` without wiggles finer than a pencil's line of `width` mm. */
-bool plb_plan_calm(const track *t, double width, track_sink sink, void *closure, error *err);
+/* simplify.c: `t` without wiggles finer than a pencil's line of `width` mm. */
+bool plb_plan_simplify(const track *t, double width, track_sink sink, void *closure, error *err);
 double plb_track_length(const track *t);
 
 /* corner.c: a track cut at its corners; a closed one is first turned to start at a corner. */

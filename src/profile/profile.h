@@ -120,13 +120,13 @@ typedef struct {
     bool free_hand;          /* the hand is not measured */
     line_sampler *sample;    /* to correct the grain by what it draws; NULL: it stays as measured */
     void *closure;           /* of `sample` */
-    messenger say;           /* one detail line per scan: what was found, or why it was left out */
+    log_sink say;           /* one detail line per scan: what was found, or why it was left out */
 } capture_options;
 capture_options plb_capture_defaults(void);
 /* Finds the one pencil line in each 8-bit grey or RGB PNG scan, straightens it, pools the statistics. */
 profile *plb_capture(const char *const files[], size_t n, const capture_options *options, error *err);
 
-/* ---- reports (profile_report.c; the picture is in surface/profile_plot.h) ---- */
+/* ---- reports (profile_report.c; the picture is in surface/plot/profile_plot.h) ---- */
 
 bool plb_profile_print(const profile *p, FILE *to);
 bool plb_profile_print_difference(const profile *a, const profile *b, FILE *to);

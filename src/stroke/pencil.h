@@ -5,7 +5,7 @@
 #ifndef PLB_STROKE_PENCIL_H
 #define PLB_STROKE_PENCIL_H
 
-#include "stroke/paper.h"
+#include "stroke/texture/graphite/paper.h"
 #include "stroke/stroke.h"
 
 #define CENTRE_STEPS 4096

@@ -4,14 +4,14 @@
  */
 #include "stroke/stroke.h"
 
-#include "base/interpolate.h"
-#include "base/units.h"
+#include "base/geometry/interpolate.h"
+#include "base/number/units.h"
 #include "stroke/pencil.h"
 
 #include <math.h>
 
 /* Rows beyond this are on no page. */
-#define MOST_ROWS 1e8
+#define MAX_ROWS 1e8
 
 void plb_stroke_scratch_free(stroke_scratch *s)
 {
@@ -37,7 +37,7 @@ bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint6
 
 static double pressure_of(const stroke *s, const stroke_options *o)
 {
-    double own = s->touch.pressure > 0 ? (double)s->touch.pressure : 1;
+    double own = s->style.pressure > 0 ? (double)s->style.pressure : 1;
     return o->pressure > 0 ? own * o->pressure : own;
 }
 
@@ -48,13 +48,13 @@ static double pressure_of(const stroke *s, const stroke_options *o)
  * in lettering it stands still at both ends. */
 static grain_ends ends_of(const path_samples *path, const stroke *s, const stroke_options *o)
 {
-    bool careful = s->touch.kind == STROKE_LETTER;
+    bool careful = s->style.kind == STROKE_LETTER;
     double pressure = pressure_of(s, o);
     float first = (float)(pressure * (double)path->pressure_first), last = (float)(pressure * (double)path->pressure_last);
     grain_end free_first = path->backward ? GRAIN_LEAVE : GRAIN_START, free_last = path->backward ? GRAIN_START : GRAIN_LEAVE;
     if (path->closed)
         return (grain_ends){GRAIN_JOINT, GRAIN_JOINT, first, last, careful};
-    if (s->touch.kind == STROKE_HATCH)
+    if (s->style.kind == STROKE_HATCH)
         free_first = free_last = GRAIN_LEAVE;
     bool dot = path->n > 0 && path->v[path->n - 1].along <= DOT_MM;
     if (dot)
@@ -86,7 +86,7 @@ bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_opti
             plb_strip_press(&scratch->strip, pressure_of(s, o));
         texture = plb_strip_shading(&scratch->strip, dpi);
     }
-    map_page page = {o->dpi, o->clip_top, o->clip_foot};
+    map_page page = {o->dpi, o->clip_top, o->clip_bottom};
     return plb_strip_map(&texture, &page, path, path->closed, &scratch->map, sink, closure) || plb_fail_memory(err);
 }
 
@@ -101,7 +101,7 @@ bool plb_stroke_rows(const stroke_list *list, const stroke *s, const stroke_opti
         low = fmin(low, path->v[i].at.y);
         high = fmax(high, path->v[i].at.y);
     }
-    *top = (int)clamp(floor((low - STROKE_REACH_MM) * px) - 1, -MOST_ROWS, MOST_ROWS);
-    *foot = (int)clamp(ceil((high + STROKE_REACH_MM) * px) + 1, -MOST_ROWS, MOST_ROWS);
+    *top = (int)clamp(floor((low - STROKE_REACH_MM) * px) - 1, -MAX_ROWS, MAX_ROWS);
+    *foot = (int)clamp(ceil((high + STROKE_REACH_MM) * px) + 1, -MAX_ROWS, MAX_ROWS);
     return true;
 }

@@ -9,7 +9,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/patch.h"
-#include "list/strokes.h"
+#include "list/stroke_list.h"
 #include "profile/hand.h"
 #include "profile/profile.h"
 
@@ -39,7 +39,7 @@ typedef struct {
     double squiggle; /* largest deviation D, mm, >= 0; negative: the arm's own */
     double hand;     /* how far the pencil's own hand strays where no squiggle says, times a free hand; 0: as 1 */
     double dpi;      /* of the page's pixels */
-    int clip_top, clip_foot; /* only the page's rows [top, foot) are wanted; both 0: all */
+    int clip_top, clip_bottom; /* only the page's rows [top, foot) are wanted; both 0: all */
     double pressure; /* times each stroke's own; 0: as 1 */
 } stroke_options;
 
@@ -65,7 +65,7 @@ double plb_torque_bow(point way, handedness handed);
 double plb_path_squiggle(double length, const stroke_options *o);
 
 /* How a free hand deviates from one line: ARM_HAND's, instead of D at control points. path_hand.c fills the modes,
- * path_direction.c and path_ends.c the rest. All in the line's own frame, first to last, to the left; mm. */
+ * path_direction.c and path_hooks.c the rest. All in the line's own frame, first to last, to the left; mm. */
 #define HAND_WAVES 32 /* of the longest lines; the first HAND_MODES as measured, the others as these fall off */
 typedef struct {
     double length;
@@ -90,7 +90,7 @@ bool plb_hand_backward(point way, handedness handed);
 void plb_hand_direct(hand *h, point way, bool free_end, const stroke_options *o);
 /* The pressure at the beginning and at the end of the movement, times the usual. */
 void plb_hand_pressure(point way, double length, const stroke_options *o, float *begin, float *end);
-/* Hooks at the ends that are free (path_ends.c). */
+/* Hooks at the ends that are free (path_hooks.c). */
 void plb_hand_hooks(hand *h, bool free_first, bool free_last, uint64_t identity, const stroke_options *o);
 
 /* Keeps the deviation within about `room` mm of the line: another one runs beside it (path_hand.c). */

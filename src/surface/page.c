@@ -5,7 +5,7 @@
 #include "surface/page.h"
 
 #include "base/array.h"
-#include "base/lanes.h"
+#include "base/simd16.h"
 
 #include <math.h>
 #include <string.h>
@@ -183,21 +183,21 @@ static int find_rows(page *p, const patch *from, int y0, int y1, laid_row out[TO
     return n;
 }
 
-/* Looked up for some rows, then added to them: the sums are of LANES at a time, the last ones of nothing. */
+/* Looked up for some rows, then added to them: the sums are of SIMD16_LANES at a time, the last ones of nothing. */
 static void lay_plane(uint16_t *plane, const uint16_t deposit[256], const laid_row *rows, int n)
 {
-    uint16_t more[TOGETHER][PATCH_SIDE + LANES];
+    uint16_t more[TOGETHER][PATCH_SIDE + SIMD16_LANES];
     for (int k = 0; k < n; k++) {
         const uint8_t *grey = rows[k].grey;
         for (int x = 0; x < rows[k].n; x++)
             more[k][x] = deposit[grey[x]];
-        memset(more[k] + rows[k].n, 0, LANES * sizeof more[k][0]);
+        memset(more[k] + rows[k].n, 0, SIMD16_LANES * sizeof more[k][0]);
     }
     for (int k = 0; k < n; k++)
-        for (int x = 0; x < rows[k].n; x += LANES)
-            lanes_add_within(plane + rows[k].at + x, more[k] + x);
+        for (int x = 0; x < rows[k].n; x += SIMD16_LANES)
+            simd16_add_within(plane + rows[k].at + x, more[k] + x);
 }
-_Static_assert(PAGE_ROW_PAD >= LANES, "the last sums of a row stay within it");
+_Static_assert(PAGE_ROW_PAD >= SIMD16_LANES, "the last sums of a row stay within it");
 
 /* Rows y0 to y1 of the page, all in one stripe. */
 static void lay_rows(page *p, const patch *from, const pigment *with, int y0, int y1)

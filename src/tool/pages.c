@@ -9,15 +9,15 @@
 #include <string.h>
 
 /* No document has more; numbers above are mistakes. */
-#define MOST_PAGES 1000000u
+#define MAX_PAGES 1000000u
 
 static bool take_page(const char **at, unsigned *page)
 {
     unsigned n = 0;
-    for (; **at >= '0' && **at <= '9' && n <= MOST_PAGES; ++*at)
+    for (; **at >= '0' && **at <= '9' && n <= MAX_PAGES; ++*at)
         n = n * 10 + (unsigned)(**at - '0');
     *page = n;
-    return n >= 1 && n <= MOST_PAGES;
+    return n >= 1 && n <= MAX_PAGES;
 }
 
 bool pages_next(const char **list, page_range *range)

@@ -82,7 +82,7 @@ draws "line ends of DOS" -o x.png dos.dxf
 # Without the library the reason is told.
 mkdir only && cp "$BUILD_DIR/tap-svg" only/ && printf '#!/bin/sh\nexit 127\n' >only/tap-dxf && chmod +x only/tap-dxf && cp "$BUILD_DIR/plumbago" only/
 PLUMBAGO=$PWD/only/plumbago refuses "no python" "reading DXF needs python3" line.dxf
-sed '1s/.*/#!\/usr\/bin\/python3 -ISB/' "$ROOT/src/tap/tap_dxf.py" >only/tap-dxf # -S: without installed packages
+sed '1s/.*/#!\/usr\/bin\/python3 -ISB/' "$ROOT/src/tap/dxf/tap_dxf.py" >only/tap-dxf # -S: without installed packages
 PLUMBAGO=$PWD/only/plumbago refuses "no ezdxf" "reading DXF needs the package python3-ezdxf" line.dxf
 rm only/tap-dxf
 if [ ! -e "$(sed -n 's/.*PLB_LIBEXECDIR="\([^"]*\)".*/\1/p' <<<"${CFLAGS:-}")/tap-dxf" ] && [ ! -e /usr/local/libexec/plumbago/tap-dxf ]; then

@@ -4,7 +4,7 @@
  */
 #include "fuzz.h"
 
-#include "input/cairoscript.h"
+#include "tap/svg/cairoscript.h"
 
 typedef struct {
     const char *at, *end;

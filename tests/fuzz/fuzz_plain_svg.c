@@ -5,8 +5,8 @@
  */
 #include "fuzz.h"
 
-#include "input/cairoscript.h"
-#include "tap/plain_svg.h"
+#include "tap/svg/cairoscript.h"
+#include "tap/plain/plain_svg.h"
 
 #include <string.h>
 

@@ -7,7 +7,7 @@
 
 #include "api/api_internal.h"
 #include "base/array.h"
-#include "profile/format.h"
+#include "profile/file/format.h"
 
 #include <cairo.h>
 #include <string.h>
@@ -22,7 +22,7 @@ static void draw_lines(profile *p)
 {
     cairo_surface_t *page = cairo_image_surface_create(CAIRO_FORMAT_A8, 48, 24);
     struct plb_profile holder = {p, plb_api_rack_new()};
-    fuzz_require(holder.rack != NULL);
+    fuzz_require(holder.pencil_cache != NULL);
     plb_options o = plb_options_default();
     o.profile = &holder;
     o.dpi = 150;
@@ -34,7 +34,7 @@ static void draw_lines(profile *p)
             break;
     }
     cairo_surface_destroy(page);
-    plb_api_rack_free(holder.rack);
+    plb_api_rack_free(holder.pencil_cache);
 }
 
 static void write_and_read(profile *p)

@@ -15,7 +15,7 @@ for harness in "$ROOT"/tests/fuzz/fuzz_*.c; do
 done
 # DXF is read by a Python program, so its fuzzer is one.
 if /usr/bin/python3 -c 'import ezdxf' 2>/dev/null; then
-    "$ROOT/tests/fuzz/fuzz_dxf.py" "$ROOT/src/tap/tap_dxf.py" replay "$ROOT"/tests/fuzz/corpus-dxf/* "$ROOT"/tests/stage/*.dxf
+    "$ROOT/tests/fuzz/fuzz_dxf.py" "$ROOT/src/tap/dxf/tap_dxf.py" replay "$ROOT"/tests/fuzz/corpus-dxf/* "$ROOT"/tests/stage/*.dxf
 else
     skip "dxf" "no python3-ezdxf here"
 fi

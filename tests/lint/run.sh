@@ -4,7 +4,7 @@
 . "$ROOT/tests/check.sh"
 cd "$ROOT" || exit 1
 here=tests/lint
-mapfile -t ours < <(printf '%s\n' ${LINT_FILES:-src/*/*.c examples/*.c})
+mapfile -t ours < <(printf '%s\n' ${LINT_FILES:-$(find src -name "*.c") examples/*.c})
 mapfile -t of_tests < <(printf '%s\n' ${LINT_FILES:-tests/*/*.c})
 [ -z "${LINT_FILES:-}" ] || of_tests=()
 flags=(-std=c17 -D_POSIX_C_SOURCE=200809L '-DPLB_VERSION="0"' '-DPLB_LIBEXECDIR="/"' -Isrc -Isrc/api -Itests -Itests/fuzz)

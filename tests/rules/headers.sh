@@ -13,7 +13,7 @@ alone() { # COMPILER LANGUAGE STANDARD HEADER
 for compiler in gcc clang; do
     command -v $compiler >/dev/null || { skip "headers stand alone, $compiler" "no $compiler here"; continue; }
     bad=
-    for header in */*.h; do
+    for header in $(find . -name "*.h"); do
         said=$(alone $compiler c c17 "$header" 2>&1) || bad+="src/$header: $(grep -m 1 -E 'error|warning' <<<"$said")"$'\n'
     done
     report "headers stand alone, $compiler" "${bad%$'\n'}"
@@ -23,5 +23,5 @@ if command -v g++ >/dev/null; then
 else
     skip "plumbago.h is valid C++" "no g++ here"
 fi
-guards=$(for header in */*.h; do grep -q '^#ifndef [A-Z_]*_H$' "$header" || echo "src/$header has no guard"; done)
+guards=$(for header in $(find . -name "*.h"); do grep -q '^#ifndef [A-Z0-9_]*_H$' "$header" || echo "src/$header has no guard"; done)
 report "headers have guards" "$guards"

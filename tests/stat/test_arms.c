@@ -4,7 +4,7 @@
  */
 #include "check.h"
 
-#include "base/units.h"
+#include "base/number/units.h"
 #include "stroke/stroke.h"
 
 /* ---- speed ---- */

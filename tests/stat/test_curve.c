@@ -4,9 +4,9 @@
  */
 #include "check.h"
 
-#include "base/random.h"
-#include "base/units.h"
-#include "stroke/path.h"
+#include "base/number/random.h"
+#include "base/number/units.h"
+#include "stroke/arm/trajectory.h"
 
 /* ---- the movement (path_via.c) ---- */
 
@@ -107,7 +107,7 @@ typedef struct {
 
 static void draw(curve *c, uint64_t identity)
 {
-    c->s.touch = TOUCH_USUAL;
+    c->s.style = STROKE_STYLE_USUAL;
     c->s.identity = random_mix(identity);
     c->list = (stroke_list){.strokes = {&c->s, 1, 1}, .points = {c->v, c->s.n, c->s.n}};
     c->o.seed = 2;

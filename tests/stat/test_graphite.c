@@ -5,9 +5,9 @@
  */
 #include "check.h"
 
-#include "base/normal.h"
-#include "base/random.h"
-#include "base/units.h"
+#include "base/number/normal.h"
+#include "base/number/random.h"
+#include "base/number/units.h"
 #include "stat/graphite_for_tests.h"
 
 static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT, 1, 1, false}, FORWARD = {GRAIN_START, GRAIN_LEAVE, 1, 1, false}, BACKWARD = {GRAIN_LEAVE, GRAIN_START, 1, 1, false};

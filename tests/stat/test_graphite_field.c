@@ -4,8 +4,8 @@
  */
 #include "check.h"
 
-#include "base/interpolate.h"
-#include "base/random.h"
+#include "base/geometry/interpolate.h"
+#include "base/number/random.h"
 #include "stat/graphite_for_tests.h"
 
 static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT, 1, 1, false}, FORWARD = {GRAIN_START, GRAIN_LEAVE, 1, 1, false};

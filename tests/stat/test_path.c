@@ -5,8 +5,8 @@
  */
 #include "check.h"
 
-#include "base/random.h"
-#include "base/units.h"
+#include "base/number/random.h"
+#include "base/number/units.h"
 #include "stroke/stroke.h"
 
 #define PX MM_PER_PAPER_PX
@@ -97,7 +97,7 @@ static void squiggle_keeps_its_limits(void)
 static void squiggle_zero_is_ruler_straight(void)
 {
     point ends[2] = {{10, 20}, {70, 95}};
-    stroke s = {.touch = TOUCH_USUAL, .identity = 42, .n = 2};
+    stroke s = {.style = STROKE_STYLE_USUAL, .identity = 42, .n = 2};
     stroke_list list = {.width = 100, .height = 100, .strokes = {&s, 1, 1}, .points = {ends, 2, 2}};
     stroke_options o = options_for(3);
     o.squiggle = 0;
@@ -178,7 +178,7 @@ static void ends_stay_where_the_drawing_has_them(void)
 {
     for (uint64_t seed = 1; seed <= 200; seed++) {
         point ends[2] = {{3, 4}, {3 + (double)seed, 50}};
-        stroke s = {.touch = TOUCH_USUAL, .identity = seed, .n = 2};
+        stroke s = {.style = STROKE_STYLE_USUAL, .identity = seed, .n = 2};
         stroke_list list = {.strokes = {&s, 1, 1}, .points = {ends, 2, 2}};
         stroke_options o = options_for(seed);
         path_samples path = {0};
@@ -204,7 +204,7 @@ static void draw_by_hand(hand_line *l, point way, uint64_t identity)
 {
     l->ends[0] = (point){300, 300};
     l->ends[1] = point_add(l->ends[0], way);
-    l->s.touch = TOUCH_USUAL;
+    l->s.style = STROKE_STYLE_USUAL;
     l->s.identity = random_mix(identity);
     l->s.n = 2;
     l->list = (stroke_list){.strokes = {&l->s, 1, 1}, .points = {l->ends, 2, 2}};

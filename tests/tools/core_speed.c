@@ -5,8 +5,8 @@
  * same run. Times are CPU time of this thread; the best of three rounds counts.
  */
 #include "api/drawing.h"
-#include "base/random.h"
-#include "base/units.h"
+#include "base/number/random.h"
+#include "base/number/units.h"
 #include "surface/page.h"
 
 #include <math.h>
@@ -21,7 +21,7 @@
 
 typedef struct {
     stroke_list list;
-    drawing_tools tools;
+    render_context tools;
     stroke_scratch scratch;
     page page;
     long patches, pixels, marked; /* handed out: patches, their pixels, those with graphite */
@@ -120,12 +120,12 @@ static bool prepare(bench *b, double dpi, size_t n, const char *grade)
     plb_options o = plb_options_default();
     o.dpi = dpi;
     o.profile = plb_profile_load(grade, NULL);
-    bool ok = o.profile && plb_api_tools_init(&b->tools, &o, NULL);
+    bool ok = o.profile && plb_api_context_init(&b->tools, &o, NULL);
     int side = (int)(SIDE_MM / MM_PER_INCH * dpi);
     ok = ok && plb_page_init(&b->page, side, side, side, false, &b->tools.ink, NULL);
     for (uint64_t k = 0; ok && k < n; k++) {
         double turn = 2 * PLB_PI * random_unit(1, 3 * k), x = SIDE_MM * random_unit(1, 3 * k + 1), y = SIDE_MM * random_unit(1, 3 * k + 2);
-        stroke s = {.touch = TOUCH_USUAL, .identity = k + 1, .first = b->list.points.n, .n = 2};
+        stroke s = {.style = STROKE_STYLE_USUAL, .identity = k + 1, .first = b->list.points.n, .n = 2};
         point from = {x, y}, to = {x + STROKE_MM * cos(turn), y + STROKE_MM * sin(turn)};
         ok = array_push(&b->list.points, from) && array_push(&b->list.points, to) && array_push(&b->list.strokes, s);
     }
@@ -152,6 +152,6 @@ int main(int argc, char **argv)
     plb_stroke_list_free(&b.list);
     plb_stroke_scratch_free(&b.scratch);
     plb_page_free(&b.page);
-    plb_api_tools_free(&b.tools);
+    plb_api_context_free(&b.tools);
     return 0;
 }

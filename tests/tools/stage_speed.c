@@ -8,9 +8,9 @@
  * paths; lay: mapping it and adding it to the page; png: the page as bytes, compressed. Medians of ROUNDS.
  */
 #include "api/render.h"
-#include "base/units.h"
+#include "base/number/units.h"
 #include "input/input.h"
-#include "surface/picture.h"
+#include "surface/picture/picture.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -79,7 +79,7 @@ static bool write_band(void *closure, const page *band, error *err)
 }
 
 /* Without texture: the arm, and the arm and the mapping of an even darkness. */
-static void time_strokes(const plb_drawing *d, const drawing_tools *t, double *arm, double *map)
+static void time_strokes(const plb_drawing *d, const render_context *t, double *arm, double *map)
 {
     stroke_scratch scratch = {0};
     shading texture = {.shade = plain, .whole_pixels = true, .half_width = 9.5, .dpi = PAPER_PX_PER_INCH};
@@ -96,7 +96,7 @@ static void time_strokes(const plb_drawing *d, const drawing_tools *t, double *a
     plb_stroke_scratch_free(&scratch);
 }
 
-static double time_texture(const plb_drawing *d, const drawing_tools *t)
+static double time_texture(const plb_drawing *d, const render_context *t)
 {
     stroke_scratch scratch = {0};
     double start = now();
@@ -109,11 +109,11 @@ static double time_texture(const plb_drawing *d, const drawing_tools *t)
 
 static bool time_drawing(const plb_drawing *d, const plb_options *o, double out[STAGES])
 {
-    drawing_tools t;
+    render_context t;
     page_plan plan;
     picture_options how = {.format = PICTURE_PNG, .dpi = o->dpi, .level = 1, .members = 1};
     FILE *null = fopen("/dev/null", "wb");
-    if (!null || !plb_api_tools_init(&t, o, NULL) || !plb_page_plan(d, o, &plan, NULL))
+    if (!null || !plb_api_context_init(&t, o, NULL) || !plb_page_plan(d, o, &plan, NULL))
         return false;
     plan.members = 1;
     plb_page_plan_rows(&plan, plb_picture_rows(plan.width, &how));
@@ -126,7 +126,7 @@ static bool time_drawing(const plb_drawing *d, const plb_options *o, double out[
     out[LAY] = all - w.seconds - texture + map - out[PATH];
     out[COMPRESS] = w.seconds;
     plb_picture_free(w.to);
-    plb_api_tools_free(&t);
+    plb_api_context_free(&t);
     fclose(null);
     return ok;
 }

@@ -5,11 +5,11 @@
 #include "check.h"
 
 #include "base/array.h"
-#include "base/number.h"
-#include "base/output.h"
-#include "base/path.h"
-#include "base/random.h"
-#include "base/units.h"
+#include "base/number/number.h"
+#include "system/output.h"
+#include "base/geometry/path.h"
+#include "base/number/random.h"
+#include "base/number/units.h"
 
 #include <stdint.h>
 #include <sys/stat.h>

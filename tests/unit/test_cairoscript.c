@@ -4,7 +4,7 @@
  */
 #include "check.h"
 
-#include "input/cairoscript.h"
+#include "tap/svg/cairoscript.h"
 
 #include <string.h>
 
@@ -75,7 +75,7 @@ static void head_turns_back(void)
     CHECK(read_script("%%Plumbago-tap 1 30 20 0 -0.5 0.5 0 1 2 3 4 5\n<< >> surface context n 10 20 m 30 20 l 2 set-line-width stroke+", &list));
     CHECK(is_point(&list.items.v[0].path, 0, 0.5 * 20 + 1, -0.5 * 10 + 2));
     CHECK(is_near(list.items.v[0].width, 1));
-    CHECK(list.losses.n[LOSS_IMAGE] == 3 && list.losses.n[LOSS_MASK] == 4);
+    CHECK(list.omissions.n[OMISSION_IMAGE] == 3 && list.omissions.n[OMISSION_MASK] == 4);
     plb_list_free(&list);
 }
 
@@ -121,7 +121,7 @@ static void groups_are_spliced(void)
     CHECK(is_point(&it->path, 0, 2, 0) && is_point(&it->path, 1, 4, 0)); /* the pattern's matrix goes the other way */
     CHECK(is_near(it->width, 0.4));
     CHECK(it->clip == 1 && list.clips.v[1].parent == 0);
-    CHECK(list.losses.n[LOSS_MASK] == 0);
+    CHECK(list.omissions.n[OMISSION_MASK] == 0);
     plb_list_free(&list);
 }
 
@@ -153,7 +153,7 @@ static void paints_of_all_kinds(void)
     CHECK(it[1].paint.kind == PAINT_PATTERN);
     CHECK(is_near(it[2].paint.blue, 0.6) && is_near(it[2].paint.alpha, 0.8) && is_point(&it[2].path, 2, 100, 50));
     CHECK(is_near(it[3].paint.green, 0.5));
-    CHECK(list.losses.n[LOSS_IMAGE] == 2 && list.losses.n[LOSS_MASK] == 1);
+    CHECK(list.omissions.n[OMISSION_IMAGE] == 2 && list.omissions.n[OMISSION_MASK] == 1);
     plb_list_free(&list);
 }
 

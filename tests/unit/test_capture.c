@@ -6,7 +6,7 @@
 #include "check.h"
 
 #include "base/array.h"
-#include "base/random.h"
+#include "base/number/random.h"
 #include "profile/histogram.h"
 #include "profile/profile.h"
 

@@ -5,14 +5,14 @@
  */
 #include "check.h"
 
-#include "plan/habits.h"
-#include "plan/pass.h"
+#include "plan/habits/habits.h"
+#include "plan/strokes/pass.h"
 #include "plan/track.h"
 
 static stroke *add(stroke_list *list, double x0, double y0, double x1, double y1, stroke_kind kind)
 {
     point ends[2] = {{x0, y0}, {x1, y1}};
-    stroke s = {.touch = {1, 0, kind}};
+    stroke s = {.style = {1, 0, kind}};
     CHECK(plb_plan_append(list, &s, ends, 2));
     return &list->strokes.v[list->strokes.n - 1];
 }
@@ -35,10 +35,10 @@ static void hatching_keeps_clear_of_letters(void)
     point a = {50, 40}, b = {53, 46};
     add(&list, a.x, a.y, b.x, b.y, STROKE_LETTER);
     before = 60 * plb_point_distance((point){10, 60}, (point){40, 30});
-    CHECK(plb_plan_clear(&list, width, NULL));
+    CHECK(plb_plan_clearance(&list, width, NULL));
     for (size_t i = 0; i < list.strokes.n; i++) {
         const point *v = list.points.v + list.strokes.v[i].first;
-        if (list.strokes.v[i].touch.kind != STROKE_HATCH)
+        if (list.strokes.v[i].style.kind != STROKE_HATCH)
             continue;
         after += plb_point_distance(v[0], v[1]);
         for (int k = 0; k <= 100; k++)
@@ -53,7 +53,7 @@ static void lettering_that_is_hatched_over_stays_so(void)
     stroke_list list = {.width = 100, .height = 100};
     add(&list, 50, 40, 53, 46, STROKE_LETTER);
     add(&list, 40, 43, 60, 43, STROKE_HATCH);
-    CHECK(plb_plan_clear(&list, 0.35, NULL));
+    CHECK(plb_plan_clearance(&list, 0.35, NULL));
     CHECK(list.strokes.n == 2);
     plb_stroke_list_free(&list);
 }
@@ -91,7 +91,7 @@ static sight zigzag(double step, int corners)
         track_point p = {{10 + i * step, 10 + (i & 1 ? step : 0)}, i > 0 && i <= corners};
         CHECK(array_push(&t.points, p));
     }
-    CHECK(plb_plan_calm(&t, 0.35, look, &s, NULL));
+    CHECK(plb_plan_simplify(&t, 0.35, look, &s, NULL));
     CHECK(s.first.x == 10 && fabs(s.last.x - (10 + (corners + 1) * step)) < 1e-9);
     array_free(&t.points);
     return s;
@@ -119,7 +119,7 @@ static void lines_that_others_end_upon_stray_little(void)
     add(&list, 110, 50, 110, 20, STROKE_LINE);  /* or met at its end, */
     add(&list, 10, 150, 110, 150, STROKE_LINE); /* and one with hatching upon it */
     add(&list, 50, 150, 60, 140, STROKE_HATCH);
-    CHECK(plb_plan_meet(&list, 1, NULL));
+    CHECK(plb_plan_junctions(&list, 1, NULL));
     for (size_t i = 0; i < list.strokes.n; i++)
         CHECK((list.strokes.v[i].room > 0) == (i == 0));
     CHECK_RANGE(list.strokes.v[0].room, 0.05, 0.35);

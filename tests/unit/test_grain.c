@@ -5,11 +5,11 @@
 #include "check.h"
 
 #include "base/array.h"
-#include "base/random.h"
-#include "profile/format.h"
-#include "profile/grain.h"
-#include "base/normal.h"
-#include "profile/grain_math.h"
+#include "base/number/random.h"
+#include "profile/file/format.h"
+#include "profile/grain/grain.h"
+#include "base/number/normal.h"
+#include "profile/grain/grain_math.h"
 
 /* ---- strips made here ---- */
 

@@ -4,9 +4,9 @@
  */
 #include "check.h"
 
-#include "base/random.h"
-#include "plan/habits.h"
-#include "plan/pass.h"
+#include "base/number/random.h"
+#include "plan/habits/habits.h"
+#include "plan/strokes/pass.h"
 #include "stroke/stroke.h"
 
 static stroke_list page(void)
@@ -17,7 +17,7 @@ static stroke_list page(void)
 static stroke *add(stroke_list *list, double x0, double y0, double x1, double y1, stroke_kind kind)
 {
     point ends[2] = {{x0, y0}, {x1, y1}};
-    stroke s = {.touch = {1, 0, kind}};
+    stroke s = {.style = {1, 0, kind}};
     CHECK(plb_plan_append(list, &s, ends, 2));
     return &list->strokes.v[list->strokes.n - 1];
 }
@@ -33,7 +33,7 @@ static void add_circle(stroke_list *list, double x, double y, double r)
     point v[61];
     for (int i = 0; i <= 60; i++)
         v[i] = (point){x + r * cos(i % 60 * PLB_PI / 30), y + r * sin(i % 60 * PLB_PI / 30)};
-    stroke s = {.touch = TOUCH_USUAL, .closed = true};
+    stroke s = {.style = STROKE_STYLE_USUAL, .closed = true};
     CHECK(plb_plan_append(list, &s, v, 61));
 }
 
@@ -114,7 +114,7 @@ static void a_share_of_long_lines_is_drawn_twice(void)
     CHECK_RANGE((double)list.strokes.n - 500, 0.23 * 400, 0.37 * 400);
     for (size_t i = 500; i < list.strokes.n; i++) {
         const stroke *s = &list.strokes.v[i];
-        CHECK(s->touch.pressure < 0.9f && s->touch.kind == STROKE_LINE && s->room > 0 && s->room < 1);
+        CHECK(s->style.pressure < 0.9f && s->style.kind == STROKE_LINE && s->room > 0 && s->room < 1);
         CHECK_RANGE(plb_point_distance(list.points.v[s->first], list.points.v[s->first + 1]), 75, 84);
     }
     CHECK(plb_plan_identify(&list, NULL));
@@ -128,7 +128,7 @@ static size_t count_guides(const stroke_list *list)
 {
     size_t n = 0;
     for (size_t i = 0; i < list->strokes.n; i++)
-        n += list->strokes.v[i].touch.kind == STROKE_GUIDE;
+        n += list->strokes.v[i].style.kind == STROKE_GUIDE;
     return n;
 }
 
@@ -142,7 +142,7 @@ static void guides_carry_long_lines_on(void)
     apply(&list, 0, 0, true);
     CHECK(list.strokes.n == 6 && count_guides(&list) == 2);
     const point *v = list.points.v + list.strokes.v[4].first;
-    CHECK(list.strokes.v[4].touch.pressure < 0.5f);
+    CHECK(list.strokes.v[4].style.pressure < 0.5f);
     CHECK_RANGE(v[0].x, 50 - 18 * 1.4, 50 - 4 * 0.6);
     CHECK_RANGE(v[1].x, 140 + 4 * 0.6, 140 + 18 * 1.4);
     CHECK(fabs(v[0].y - 40) < 1e-9 && fabs(v[1].y - 40) < 1e-9);
@@ -175,7 +175,7 @@ static void neighbours_get_room(void)
     add(&list, 20, 90, 180, 90, STROKE_LINE);   /* alone */
     add(&list, 100, 20, 100, 120, STROKE_LINE); /* crosses all */
     add(&list, 20, 90, 180, 93, STROKE_LINE);   /* meets an end */
-    CHECK(plb_plan_beside(&list, 1, NULL));
+    CHECK(plb_plan_neighbours(&list, 1, NULL));
     CHECK_RANGE(list.strokes.v[0].room, 0.3, 0.4);
     CHECK_RANGE(list.strokes.v[1].room, 0.3, 0.4);
     CHECK(list.strokes.v[2].room == 0 && list.strokes.v[3].room == 0 && list.strokes.v[4].room == 0);
@@ -203,7 +203,7 @@ static void threads_change_no_stroke(void)
     for (int k = 0; k < 3; k++) {
         by[k] = many_lines(ROWS);
         CHECK(plb_plan_join(&by[k], 0.1, threads[k], NULL) && plb_plan_smooth(&by[k], NULL));
-        CHECK(plb_plan_beside(&by[k], threads[k], NULL) && plb_plan_meet(&by[k], threads[k], NULL));
+        CHECK(plb_plan_neighbours(&by[k], threads[k], NULL) && plb_plan_junctions(&by[k], threads[k], NULL));
         CHECK(by[k].strokes.n == ROWS + ROWS / 2 && by[k].points.n == by[0].points.n);
         CHECK(!memcmp(by[k].points.v, by[0].points.v, by[0].points.n * sizeof *by[0].points.v));
         int beside = 0, met = 0;
@@ -227,7 +227,7 @@ static void the_lines_of_a_wall_stay_apart(void)
     add(&list, 10, 51.2, 190, 51.2, STROKE_LINE);
     for (int i = 0; i < 2; i++)
         list.strokes.v[i].corner_first = list.strokes.v[i].corner_last = true;
-    CHECK(plb_plan_beside(&list, 1, NULL) && plb_plan_identify(&list, NULL));
+    CHECK(plb_plan_neighbours(&list, 1, NULL) && plb_plan_identify(&list, NULL));
     double touching = 0;
     path_samples drawn[2] = {{0}, {0}};
     for (uint64_t seed = 1; seed <= 300; seed++) {

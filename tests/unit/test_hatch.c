@@ -4,8 +4,8 @@
  */
 #include "check.h"
 
-#include "plan/hatch_shape.h"
-#include "plan/region.h"
+#include "plan/hatch/hatch_shape.h"
+#include "plan/shape/region.h"
 
 typedef struct {
     size_t n;
@@ -27,8 +27,8 @@ static bool count(void *closure, const track *t)
 {
     tally *k = closure;
     k->n++;
-    k->least_pressure = fmin(k->least_pressure, (double)t->touch.pressure);
-    CHECK(t->touch.kind == STROKE_HATCH && t->touch.pressure > 0 && t->points.n >= 2);
+    k->least_pressure = fmin(k->least_pressure, (double)t->style.pressure);
+    CHECK(t->style.kind == STROKE_HATCH && t->style.pressure > 0 && t->points.n >= 2);
     for (size_t i = 0; i < t->points.n; i++) {
         plb_box_add(&k->bounds, t->points.v[i].at);
         if (i > 0) {
@@ -296,7 +296,7 @@ static bool count_thirds(void *closure, const track *t)
     for (size_t i = 1; i < t->points.n; i++) {
         point a = t->points.v[i - 1].at, b = t->points.v[i].at;
         int which = (int)(((a.x + b.x) / 2 - 20) / 20);
-        k->ink[which < 0 ? 0 : which > 2 ? 2 : which] += plb_point_distance(a, b) * (double)t->touch.pressure;
+        k->ink[which < 0 ? 0 : which > 2 ? 2 : which] += plb_point_distance(a, b) * (double)t->style.pressure;
     }
     return true;
 }

@@ -4,8 +4,8 @@
  */
 #include "check.h"
 
-#include "plan/letter.h"
-#include "plan/medial.h"
+#include "plan/letter/letter.h"
+#include "plan/letter/medial.h"
 
 #define MOST 64
 
@@ -37,8 +37,8 @@ static bool note(void *closure, const track *t)
         r->corners += t->points.v[i].corner;
         plb_box_add(&r->bounds, t->points.v[i].at);
     }
-    r->letter = t->touch.kind == STROKE_LETTER;
-    r->pressure = t->touch.pressure;
+    r->letter = t->style.kind == STROKE_LETTER;
+    r->pressure = t->style.pressure;
     return true;
 }
 

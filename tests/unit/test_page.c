@@ -5,7 +5,7 @@
 #include "check.h"
 
 #include "api/plumbago.h"
-#include "base/random.h"
+#include "base/number/random.h"
 #include "stat/pencil_for_tests.h"
 #include "surface/page.h"
 
@@ -30,7 +30,7 @@ static bool count(void *closure, const patch *p)
 /* A strip of even darkness along a path: no pixel twice, and as much darkness as the path is long. */
 static void map_even_strip(const point *base, size_t n, bool closed, double dpi, canvas *c, double *length_mm)
 {
-    stroke s = {.touch = TOUCH_USUAL, .identity = 1, .n = n, .closed = closed};
+    stroke s = {.style = STROKE_STYLE_USUAL, .identity = 1, .n = n, .closed = closed};
     stroke_list list = {.strokes = {&s, 1, 1}, .points = {(point *)(uintptr_t)base, n, n}};
     stroke_options o = {.seed = 1, .squiggle = 0, .dpi = dpi};
     path_samples path = {0};

@@ -5,7 +5,7 @@
 #include "check.h"
 
 #include "plan/plan.h"
-#include "plan/region.h"
+#include "plan/shape/region.h"
 #include "plan/track.h"
 
 typedef struct {
@@ -461,7 +461,7 @@ static void hiding_is_the_same_as_a_plain_search(void)
 
 static float pressure(const setup *s, size_t i)
 {
-    return s->strokes.strokes.v[i].touch.pressure;
+    return s->strokes.strokes.v[i].style.pressure;
 }
 
 static void weight_and_tone_are_pressure(void)

@@ -225,16 +225,16 @@ static void the_file_can_be_read_by_its_program(void)
     CHECK(holds("/n 0 def { /n n 1 add def n 3 le { (x) } { () } ifelse } 0 () /SubFileDecode filter 9 string readstring pop (xxx) eq"));
     CHECK(draw("4 4 8 [4 0 0 4 0 0] { currentfile 16 string readhexstring pop } image\n"
                "00112233445566778899aabbccddeeff\n0 0 moveto 1 1 lineto stroke"));
-    CHECK(list.losses.n[LOSS_IMAGE] == 1 && list.items.n == 1);
+    CHECK(list.omissions.n[OMISSION_IMAGE] == 1 && list.items.n == 1);
     CHECK(draw("1 1 moveto << /ImageType 1 /Width 2 /Height 2 /BitsPerComponent 8 /ImageMatrix [2 0 0 2 0 0] /Decode [0 1]\n"
                "/DataSource currentfile /ASCII85Decode filter >> image\n!!!!!~>\n2 2 lineto stroke"));
-    CHECK(list.losses.n[LOSS_IMAGE] == 1 && list.items.n == 1);
+    CHECK(list.omissions.n[OMISSION_IMAGE] == 1 && list.items.n == 1);
 }
 
 static void letters_are_left_out_but_counted(void)
 {
     CHECK(draw("/Helvetica findfont 10 scalefont setfont 10 10 moveto (Hello) show 0 5 rlineto stroke"));
-    CHECK(list.losses.n[LOSS_TEXT] == 1 && list.losses.advice);
+    CHECK(list.omissions.n[OMISSION_TEXT] == 1 && list.omissions.advice);
     CHECK(list.items.n == 1 && at(0, 0, 10 + 22.78, 10));
     CHECK(holds("/Courier 10 selectfont (abc) stringwidth pop 18 sub abs 1e-6 lt"));
 }

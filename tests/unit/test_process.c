@@ -4,9 +4,9 @@
  */
 #include "check.h"
 
-#include "input/process.h"
-#include "input/scratch.h"
-#include "input/seccomp.h"
+#include "system/process.h"
+#include "system/scratch.h"
+#include "system/seccomp.h"
 
 #include <errno.h>
 #include <signal.h>

@@ -6,7 +6,7 @@
 #include "check.h"
 
 #include "base/array.h"
-#include "profile/format.h"
+#include "profile/file/format.h"
 #include "profile/histogram.h"
 #include "profile/profile.h"
 

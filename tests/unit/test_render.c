@@ -5,8 +5,8 @@
 #include "check.h"
 
 #include "api/render.h"
-#include "base/random.h"
-#include "surface/picture.h"
+#include "base/number/random.h"
+#include "surface/picture/picture.h"
 
 #define WIDTH_MM 30.0
 #define HEIGHT_MM 40.0
@@ -25,8 +25,8 @@ static bool fill_strokes(stroke_list *list)
             point p = {x + r * cos(turn + (n > 2 ? 9 * u : 0)), y + r * sin(turn + (n > 2 ? 9 * u : 0))};
             ok = array_push(&list->points, p);
         }
-        touch t = {1, k % 3 == 0 ? 0xd04020 : k % 3 == 1 ? 0x2060c0 : 0, STROKE_LINE};
-        stroke s = {.touch = t, .identity = k + 1, .first = first, .n = n};
+        stroke_style t = {1, k % 3 == 0 ? 0xd04020 : k % 3 == 1 ? 0x2060c0 : 0, STROKE_LINE};
+        stroke s = {.style = t, .identity = k + 1, .first = first, .n = n};
         ok = ok && array_push(&list->strokes, s);
     }
     return ok;
@@ -69,10 +69,10 @@ static bool take(void *closure, const page *band, error *err)
 
 static uint8_t *render(const plb_drawing *d, const plb_options *o, int rows, int members, size_t *size)
 {
-    drawing_tools t;
+    render_context t;
     page_plan plan;
     error err = {ERROR_NONE, ""};
-    CHECK(plb_api_tools_init(&t, o, &err) && plb_page_plan(d, o, &plan, &err));
+    CHECK(plb_api_context_init(&t, o, &err) && plb_page_plan(d, o, &plan, &err));
     plan.rows = rows ? rows : plan.height;
     plan.members = members;
     page_background background = o->background == PLB_BACKGROUND_NONE ? PAGE_TRANSPARENT : PAGE_WHITE;
@@ -80,7 +80,7 @@ static uint8_t *render(const plb_drawing *d, const plb_options *o, int rows, int
     *size = (size_t)plan.width * (size_t)plan.height * (size_t)to.channels;
     to.v = malloc(*size);
     CHECK(plb_render(d, o, &t, &plan, take, &to, &err) && to.next == plan.height);
-    plb_api_tools_free(&t);
+    plb_api_context_free(&t);
     return to.v;
 }
 
@@ -158,12 +158,12 @@ static size_t write(const plb_drawing *d, picture_format format, int pieces, int
     plb_options o = plb_options_default();
     o.dpi = 900; /* some pieces */
     size_t size = 0;
-    drawing_tools t;
+    render_context t;
     page_plan plan;
     error err = {ERROR_NONE, ""};
     picture_options how = {.format = format, .dpi = o.dpi, .level = 1, .members = members, .width_mm = WIDTH_MM, .height_mm = HEIGHT_MM};
     FILE *to = open_memstream(bytes, &size);
-    CHECK(plb_api_tools_init(&t, &o, &err) && plb_page_plan(d, &o, &plan, &err));
+    CHECK(plb_api_context_init(&t, &o, &err) && plb_page_plan(d, &o, &plan, &err));
     int rows = plb_picture_rows(plan.width, &how);
     CHECK(rows * 2 < plan.height);
     plan.rows = pieces ? pieces * rows : plan.height;
@@ -171,7 +171,7 @@ static size_t write(const plb_drawing *d, picture_format format, int pieces, int
     picture *p = plb_picture_new(plan.width, plan.height, &how, to, "picture", &err);
     CHECK(p && plb_render(d, &o, &t, &plan, add, p, &err) && plb_picture_end(p, &err));
     plb_picture_free(p);
-    plb_api_tools_free(&t);
+    plb_api_context_free(&t);
     fclose(to);
     return size;
 }
@@ -198,27 +198,27 @@ static void an_error_reaches_the_caller(void)
     d->strokes.points.v[d->strokes.strokes.v[20].first].x = 1e9;
     plb_options o = plb_options_default();
     o.dpi = 60;
-    drawing_tools t;
+    render_context t;
     page_plan plan;
     for (int rows = 0; rows < 2; rows++) {
         error err = {ERROR_NONE, ""};
-        CHECK(plb_api_tools_init(&t, &o, &err) && plb_page_plan(d, &o, &plan, &err));
+        CHECK(plb_api_context_init(&t, &o, &err) && plb_page_plan(d, &o, &plan, &err));
         plan.members = 4;
         plan.rows = rows ? 20 : plan.height;
         whole_page to = {malloc((size_t)plan.width * (size_t)plan.height), 0, PAGE_WHITE, 1};
         CHECK(!plb_render(d, &o, &t, &plan, take, &to, &err) && err.kind == ERROR_LIMIT && strstr(err.text, "longer"));
         free(to.v);
-        plb_api_tools_free(&t);
+        plb_api_context_free(&t);
     }
     free_drawing(d);
 }
 
 static const pencil *pencil_for(plb_options o)
 {
-    drawing_tools t;
-    CHECK(plb_api_tools_init(&t, &o, NULL));
+    render_context t;
+    CHECK(plb_api_context_init(&t, &o, NULL));
     const pencil *p = t.pencil;
-    plb_api_tools_free(&t);
+    plb_api_context_free(&t);
     return p;
 }
 

@@ -2,9 +2,9 @@
  *
  * The scanner: every kind of token, the same tokens whatever the chunks the bytes come in, line numbers, errors.
  */
-#include "base/number.h"
+#include "base/number/number.h"
 #include "check.h"
-#include "input/scan.h"
+#include "tap/common/scan.h"
 
 /* All tokens of a text as one line of text: "n:1.5 x:add l:name s:(abc) [ ] { } << >>". */
 static char shown[4096];

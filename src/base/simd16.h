@@ -1,0 +1,112 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Eight whole numbers of 16 bits in one register: the compiler's vectors, whose operators work lane by lane, and the few
+ * steps that it does not find by itself. Elsewhere, and in builds that do not optimise, these are loops: the same bits.
+ */
+#ifndef PLB_BASE_SIMD16_H
+#define PLB_BASE_SIMD16_H
+
+#include <stdint.h>
+#include <string.h>
+
+#if defined __SSE2__ && defined __OPTIMIZE__
+#include <emmintrin.h>
+#define SIMD16_NATIVE 1
+#else
+#define SIMD16_NATIVE 0
+#endif
+
+#define SIMD16_LANES 8
+typedef int16_t lanes __attribute__((vector_size(2 * SIMD16_LANES)));
+
+static inline lanes simd16_at(const int16_t *from)
+{
+    lanes v;
+    memcpy(&v, from, sizeof v);
+    return v;
+}
+
+static inline void simd16_put(int16_t *to, lanes v)
+{
+    memcpy(to, &v, sizeof v);
+}
+
+static inline lanes simd16_all(int16_t v)
+{
+    return (lanes){v, v, v, v, v, v, v, v};
+}
+
+/* The high halves of the products. */
+static inline lanes simd16_high(lanes a, lanes b)
+{
+#if SIMD16_NATIVE
+    return (lanes)_mm_mulhi_epi16((__m128i)a, (__m128i)b);
+#else
+    lanes v = {0};
+    for (int i = 0; i < SIMD16_LANES; i++)
+        v[i] = (int16_t)((a[i] * b[i]) >> 16);
+    return v;
+#endif
+}
+
+static inline lanes simd16_within(lanes v, int16_t low, int16_t high)
+{
+#if SIMD16_NATIVE
+    return (lanes)_mm_max_epi16(_mm_min_epi16((__m128i)v, _mm_set1_epi16(high)), _mm_set1_epi16(low));
+#else
+    for (int i = 0; i < SIMD16_LANES; i++)
+        v[i] = v[i] < low ? low : v[i] > high ? high : v[i];
+    return v;
+#endif
+}
+
+/* Adds to numbers without a sign; sums beyond are cut to 65535. */
+static inline void simd16_add_within(uint16_t *to, const uint16_t *more)
+{
+#if SIMD16_NATIVE
+    __m128i sum = _mm_adds_epu16(_mm_loadu_si128((const __m128i *)(const void *)to), _mm_loadu_si128((const __m128i *)(const void *)more));
+    _mm_storeu_si128((__m128i *)(void *)to, sum);
+#else
+    for (int i = 0; i < SIMD16_LANES; i++)
+        to[i] = (uint16_t)(to[i] + more[i] > 65535 ? 65535 : to[i] + more[i]);
+#endif
+}
+
+/* Bytes, each times 256. */
+static inline lanes simd16_of_bytes(const int8_t *from)
+{
+#if SIMD16_NATIVE
+    return (lanes)_mm_unpacklo_epi8(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)from));
+#else
+    lanes v = {0};
+    for (int i = 0; i < SIMD16_LANES; i++)
+        v[i] = (int16_t)(from[i] * 256);
+    return v;
+#endif
+}
+
+/* As bytes with a sign: those beyond are cut to -128 and 127. */
+static inline void simd16_put_bytes(int8_t *to, lanes v)
+{
+#if SIMD16_NATIVE
+    _mm_storel_epi64((__m128i *)(void *)to, _mm_packs_epi16((__m128i)v, (__m128i)v));
+#else
+    v = simd16_within(v, -128, 127);
+    for (int i = 0; i < SIMD16_LANES; i++)
+        to[i] = (int8_t)v[i];
+#endif
+}
+
+/* As bytes without: those beyond are cut to 0 and 255. */
+static inline void simd16_put_unsigned(uint8_t *to, lanes v)
+{
+#if SIMD16_NATIVE
+    _mm_storel_epi64((__m128i *)(void *)to, _mm_packus_epi16((__m128i)v, (__m128i)v));
+#else
+    v = simd16_within(v, 0, 255);
+    for (int i = 0; i < SIMD16_LANES; i++)
+        to[i] = (uint8_t)v[i];
+#endif
+}
+
+#endif

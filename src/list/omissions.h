@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a drawing holds and the pencil does not draw, or not as it is: how often each kind was met. Every reader fills
+ * it; nothing is left out silently.
+ */
+#ifndef PLB_LIST_OMISSIONS_H
+#define PLB_LIST_OMISSIONS_H
+
+#include "base/error.h"
+
+typedef enum {
+    OMISSION_IMAGE,      /* raster images and stencils */
+    OMISSION_TEXT,       /* strings without outlines at hand */
+    OMISSION_PIXEL_TEXT, /* strings in fonts made of pixels */
+    OMISSION_FOREIGN,    /* foreignObject */
+    OMISSION_FAR,        /* shapes at impossible places */
+    OMISSION_MASK,
+    OMISSION_FILTER,
+    OMISSION_BLEND,
+    OMISSION_PATTERN,    /* fills with tiles */
+    OMISSION_SHADING,
+    OMISSION_INVISIBLE,  /* nobody sees these: no cause for a warning */
+    OMISSION_OFF_PAGE,
+    OMISSION_KINDS
+} omission_kind;
+
+typedef struct {
+    unsigned long n[OMISSION_KINDS];
+    const char *advice; /* what would help against it, lives forever; NULL: nothing known */
+} omissions;
+
+/* One warning with all that matters, and a detail for each kind with what became of it. */
+void plb_omissions_report(const omissions *l, const char *name, const log_sink *say);
+
+#endif

@@ -1,0 +1,127 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Plan, fills: an area becomes the marks that give it its tone.
+ * Input: a filled shape, mm on the page, its paint. Output: tracks, mm, with pressure. The thesis draws hatch lines that it
+ * is given (000, chapter 5) and leaves how a hand hatches to studies to come (chapter 7); the constants are ours.
+ *
+ *     too light, or paper     nothing
+ *     thin or small           scribbled solid
+ *     else                    a layer of lines, in darker tones a second across it
+ */
+#include "plan/hatch/hatch.h"
+
+#include "base/number/random.h"
+#include "plan/hatch/hatch_lines.h"
+
+#include <math.h>
+
+/* A direction strays by this from shape to shape, radians. */
+#define DIRECTION_STRAY 0.04
+/* The second layer is turned by this against the first, radians: less than a right angle, as the wrist has it. */
+#define CROSS_ANGLE 1.1
+/* A fill that covers this part of the page and is no darker than PAPER_DARKNESS is its paper. */
+#define PAPER_COVER 0.97
+#define PAPER_DARKNESS 0.45
+/* A gradient is looked at in so many places across and down. */
+#define LOOKS 16
+/* The lines of a drawing's hatching are held by wider spacing to about what covers the page so many times in the darkest
+ * tone, within these bounds. */
+#define MAX_COVERS 3
+#define MIN_BUDGET 5e4
+#define MAX_BUDGET 1e6
+/* … when a line is this long, mm. */
+#define TYPICAL_LENGTH 20.0
+/* … and one of a gradient in so many parts. */
+#define GRADIENT_PARTS 4
+
+static double overlap(box a, box b)
+{
+    double w = fmin(a.x1, b.x1) - fmax(a.x0, b.x0), h = fmin(a.y1, b.y1) - fmax(a.y0, b.y0);
+    return w > 0 && h > 0 ? w * h : 0;
+}
+
+hatcher plb_hatcher(const display_list *list, const plan_options *o)
+{
+    hatcher h = {.list = list, .how = o, .page = {0, 0, list->width, list->height}, .coarser = 1};
+    technique full = plb_technique(1, o->pencil_width);
+    double cover = list->width * list->height / TYPICAL_LENGTH * (1 / full.spacing[0] + 1 / full.spacing[1]);
+    double budget = fmin(fmax(MAX_COVERS * cover, MIN_BUDGET), MAX_BUDGET), strokes = 0;
+    for (size_t i = 0; i < list->items.n; i++) {
+        const item *it = &list->items.v[i];
+        tone_source t = plb_tone_source(list, it, o, o->colour);
+        double darkest = plb_darkest(&t);
+        if (it->kind != ITEM_FILL || darkest < MIN_DARKNESS)
+            continue;
+        technique q = plb_technique_for(darkest, o);
+        double area = overlap(plb_path_bounds(&it->path), h.page) * (t.gradient ? GRADIENT_PARTS : 1);
+        for (int k = 0; k < HATCH_LAYERS; k++)
+            strokes += q.spacing[k] > 0 ? area / (q.spacing[k] * TYPICAL_LENGTH) : 0;
+        plb_hatch_direction_learn(&h, it);
+    }
+    h.coarser = fmax(1, strokes / budget);
+    return h;
+}
+
+bool plb_may_be_hatched(const item *fill, const plan_options *o)
+{
+    box b = plb_path_bounds(&fill->path);
+    double least = plb_solid_breadth(o->pencil_width);
+    return fmin(b.x1 - b.x0, b.y1 - b.y0) >= least && (fill->paint.kind == PAINT_GRADIENT || plb_paint_darkness(&fill->paint, o->colour) >= MIN_DARKNESS);
+}
+
+static bool is_paper(const hatcher *h, const shape *s, double darkness)
+{
+    box p = h->page;
+    double page = (p.x1 - p.x0) * (p.y1 - p.y0), bounds = (s->bounds.x1 - s->bounds.x0) * (s->bounds.y1 - s->bounds.y0);
+    bool full = s->area > PAPER_COVER * bounds; /* no hole, no corner missing */
+    return darkness < PAPER_DARKNESS && full && overlap(s->bounds, p) > PAPER_COVER * page;
+}
+
+/* The darkest that the gradient is inside the bounds, and its mean there. */
+static double darkest_of(const tone_source *t, const shape *s, double *mean)
+{
+    double most = 0, sum = 0;
+    for (int j = 0; j < LOOKS; j++)
+        for (int i = 0; i < LOOKS; i++) {
+            box b = s->bounds;
+            double d = plb_darkness_at(t, (point){b.x0 + (i + .5) / LOOKS * (b.x1 - b.x0), b.y0 + (j + .5) / LOOKS * (b.y1 - b.y0)});
+            most = fmax(most, d);
+            sum += d;
+        }
+    *mean = sum / (LOOKS * LOOKS);
+    return most;
+}
+
+static bool add_tone(const hatcher *h, const shape *s, const item *fill, const tone_source *t, double darkness, const marks *m)
+{
+    technique q = plb_technique_for(darkness, h->how);
+    uint64_t key = random_key(h->how->seed, s->identity, PURPOSE_HATCH);
+    double direction = plb_hatch_direction(h, fill) + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
+    bool ok = true;
+    for (int k = 0; ok && k < HATCH_LAYERS; k++) {
+        hatch_layer l = {direction + k * CROSS_ANGLE, q.spacing[k] * h->coarser, q.pressure, k, q.spacing[k], t->gradient ? t : NULL};
+        ok = !(l.spacing > 0) || plb_hatch_lines(s, &l, h->page, m);
+    }
+    return ok;
+}
+
+bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *outline, track_sink sink, void *closure, error *err)
+{
+    tone_source t = plb_tone_source(h->list, fill, h->how, colour != 0);
+    double darkness = plb_paint_darkness(&fill->paint, colour != 0), mean = darkness;
+    marks m = {h->how, {1, colour, STROKE_HATCH}, sink, closure, err};
+    shape s;
+    bool ok = plb_shape_init(&s, fill, err);
+    *outline = true;
+    if (ok && s.area > 0 && t.gradient)
+        darkness = darkest_of(&t, &s, &mean);
+    if (ok && s.area > 0 && is_paper(h, &s, mean)) {
+        *outline = false;
+    } else if (ok && s.area > 0 && darkness >= MIN_DARKNESS) {
+        bool solid = false;
+        m.style.pressure = (float)plb_technique(mean, 0).pressure;
+        ok = plb_is_solid(&s, h->how->pencil_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, &t, darkness, &m));
+    }
+    plb_shape_free(&s);
+    return ok;
+}

@@ -1,0 +1,229 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * One layer of hatching. Lines are set one after the other, as a hand sets them: each at about the same distance from
+ * the one before, some closer, some farther, with a slow drift; each turned a little its own way; begun and ended a little
+ * before or beyond the edge. What is longer than the forearm's sweep is made of several strokes.
+ */
+#include "plan/hatch/hatch_lines.h"
+
+#include "base/number/random.h"
+
+#include <math.h>
+
+/* Of the distance of two lines, one standard deviation of what a line strays, and the depth of the slow drift of the
+ * distance over DRIFT_LINES lines (chosen by eye). */
+#define UNEVEN 0.09
+#define DRIFT 0.1
+#define DRIFT_LINES 11
+/* A line leans to either side by at most so much, mm of its length; beyond TILT_LENGTH it does not lean farther. */
+#define TILT 0.02
+#define TILT_LENGTH 25.0
+/* Ends stray about the edge by this, mm, one standard deviation, mostly inside; never by more than END_MAX, nor by more than
+ * a part of a short line. */
+#define END_STRAY 0.13
+#define END_INSIDE 0.03
+#define END_MAX 0.4
+#define END_PART 0.18
+/* One sweep of the forearm with the elbow at rest, mm: strokes are this long, at most and at least, and the next begins
+ * where the last has not quite ended. */
+#define SWEEP_LONGEST 55.0
+#define SWEEP_SHORTEST 26.0
+#define SWEEP_LAP 0.6
+/* No line is shorter, mm. */
+#define SHORTEST 0.3
+/* Pressure strays by this from line to line, one standard deviation. */
+#define PRESSURE_STRAY 0.06
+/* The most lines of a layer: beyond, they are set farther apart. */
+#define MAX_LINES 20000
+
+typedef struct {
+    const hatch_layer *l;
+    const marks *m;
+    frame f;
+    box page; /* in the frame */
+    uint64_t key;
+    uint64_t line; /* the number of the line at work */
+} hatching;
+
+/* Numbers of a line: what each is for. */
+enum { AT_PLACE, AT_TILT, AT_PRESSURE, AT_SWEEP, AT_RANK, AT_SPAN, PER_LINE = 4096 };
+
+/* Near enough normal, of standard deviation 1, within ±3.46. */
+static double stray(uint64_t key, uint64_t index)
+{
+    double sum = 0;
+    for (uint64_t k = 0; k < 4; k++)
+        sum += random_unit(key, index * 4 + k);
+    return (sum - 2) * sqrt(3);
+}
+
+static double within(double x, double low, double high)
+{
+    return x < low ? low : x > high ? high : x;
+}
+
+static uint64_t number(const hatching *h, uint64_t what)
+{
+    return h->line * PER_LINE + (what < PER_LINE ? what : PER_LINE - 1);
+}
+
+/* How far an end strays outward: inside on average. */
+static double stray_of_end(const hatching *h, double length, uint64_t index)
+{
+    double most = fmin(END_MAX, END_PART * length);
+    return within(stray(h->key, number(h, index)) * fmin(END_STRAY, most) - END_INSIDE, -most, most);
+}
+
+static point place(const hatching *h, const sections *k, double v, double tilt, double u)
+{
+    return frame_from(h->f, (point){u, plb_sections_v(k, v, tilt, u)});
+}
+
+static bool send_pressed(const hatching *h, const sections *k, double v, double tilt, span s, uint64_t index, double pressure)
+{
+    pressure *= 1 + PRESSURE_STRAY * stray(h->key, number(h, index));
+    return plb_mark_line(h->m, place(h, k, v, tilt, s.from), place(h, k, v, tilt, s.to), pressure);
+}
+
+static bool send(const hatching *h, const sections *k, double v, double tilt, double from, double to, uint64_t index)
+{
+    return send_pressed(h, k, v, tilt, (span){from, to}, index, h->l->pressure);
+}
+
+/* Cuts what is longer than a sweep into sweeps of uneven length, the first often short, so that no seam runs across. */
+static bool send_sweeps(const hatching *h, const sections *k, double v, double tilt, span s, uint64_t index)
+{
+    uint64_t sweep = number(h, AT_SWEEP);
+    double at = s.from;
+    bool ok = true, first = true;
+    while (ok && s.to - at > SWEEP_LONGEST) {
+        double length = SWEEP_SHORTEST + (SWEEP_LONGEST - SWEEP_SHORTEST) * random_unit(h->key ^ sweep, index++);
+        if (first)
+            length *= 0.3 + 0.7 * random_unit(h->key ^ sweep, index++);
+        ok = send(h, k, v, tilt, at, at + length + SWEEP_LAP / 2, index++);
+        at += length - SWEEP_LAP / 2;
+        first = false;
+    }
+    return ok && send(h, k, v, tilt, at, s.to, index);
+}
+
+/* ---- gradients ---- */
+
+/* A line of a gradient is looked at this often, mm, and is a new stroke when the pressure has changed by a part. */
+#define LOOK_MM 1.2
+#define NEW_PRESSURE 0.13
+#define SHORTEST_PART 2.5
+#define MAX_LOOKS 4000
+
+/* The rank of a line, evenly spread in [0, 1) over any run of neighbours (van der Corput's sequence), a little uneven: where
+ * the tone asks for a share of the lines, those of a lower rank are drawn. */
+static double rank_of(const hatching *h)
+{
+    double rank = 0, part = 0.5;
+    for (uint64_t n = h->line; n && part > 1e-3; n >>= 1, part /= 2)
+        rank += n & 1 ? part : 0;
+    return within(rank + 0.03 + 0.06 * stray(h->key, number(h, AT_RANK)), 0, 0.999);
+}
+
+/* The pressure that the tone asks of this line at a place; 0 where it is not drawn. */
+static double pressure_at(const hatching *h, point at, double rank)
+{
+    double darkness = plb_darkness_at(h->l->tone, at);
+    if (darkness < MIN_DARKNESS)
+        return 0;
+    technique q = plb_technique_for(darkness, h->l->tone->how);
+    double spacing = q.spacing[h->l->layer];
+    return spacing > 0 && h->l->dense / spacing > rank ? q.pressure : 0;
+}
+
+/* Sends a part with its mean pressure. */
+static bool send_part(const hatching *h, const sections *k, double v, double tilt, span s, uint64_t index, double sum, int looks)
+{
+    return looks == 0 || s.to - s.from < SHORTEST || send_pressed(h, k, v, tilt, s, index, sum / looks);
+}
+
+/* Follows the tone along the line. */
+static bool send_varied(const hatching *h, const sections *k, double v, double tilt, span s, uint64_t index)
+{
+    double rank = rank_of(h), looks = fmin(ceil((s.to - s.from) / LOOK_MM), MAX_LOOKS), step = (s.to - s.from) / looks;
+    double from = s.from, sum = 0, first = 0;
+    int n = 0;
+    bool ok = true;
+    for (int i = 0; ok && i < (int)looks; i++) {
+        double u = s.from + i * step, p = pressure_at(h, place(h, k, v, tilt, u + step / 2), rank);
+        bool changed = n && fabs(p - first) > NEW_PRESSURE * first && u - from > SHORTEST_PART;
+        if (n && (!(p > 0) || changed || u - from > SWEEP_LONGEST)) {
+            ok = send_part(h, k, v, tilt, (span){from, u + (p > 0 ? SWEEP_LAP / 2 : 0)}, index++, sum, n);
+            n = 0;
+        }
+        if (p > 0 && n++ == 0) {
+            from = fmax(u - (i > 0 ? SWEEP_LAP / 2 : 0), s.from);
+            first = p;
+            sum = 0;
+        }
+        sum += p;
+    }
+    return ok && send_part(h, k, v, tilt, (span){from, s.to}, index, sum, n);
+}
+
+static bool send_line(const hatching *h, const sections *k, double v, double tilt)
+{
+    bool ok = true;
+    uint64_t index = AT_SPAN;
+    for (size_t i = 0; ok && i < k->spans.n; i++) {
+        span s = {fmax(k->spans.v[i].from, h->page.x0), fmin(k->spans.v[i].to, h->page.x1)};
+        double length = s.to - s.from;
+        if (length < SHORTEST)
+            continue;
+        s.from -= stray_of_end(h, length, index++);
+        s.to += stray_of_end(h, length, index++);
+        ok = h->l->tone ? send_varied(h, k, v, tilt, s, index) : send_sweeps(h, k, v, tilt, s, index);
+        index += 8;
+    }
+    return ok;
+}
+
+/* The slow drift of distances: a smooth function of the line's number, between -1 and 1. */
+static double drift(uint64_t key, uint64_t line)
+{
+    uint64_t knot = line / DRIFT_LINES;
+    double t = (double)(line % DRIFT_LINES) / DRIFT_LINES, w = t * t * (3 - 2 * t);
+    double a = random_unit(~key, knot), b = random_unit(~key, knot + 1);
+    return 2 * (a + (b - a) * w) - 1;
+}
+
+static bool send_lines(hatching *h, sections *k, double from, double to)
+{
+    double spacing = fmax(h->l->spacing, (to - from) / MAX_LINES), place = from + spacing * random_unit(h->key, 0);
+    double steepest = k->tilt;
+    bool ok = true;
+    for (h->line = 1; ok && place < to; h->line++) {
+        double v = place + spacing * UNEVEN * stray(h->key, number(h, AT_PLACE));
+        double tilt = within(stray(h->key, number(h, AT_TILT)) / 2, -1, 1) * steepest;
+        ok = plb_sections_at(k, v, tilt, h->m->err) && send_line(h, k, v, tilt);
+        place += spacing * (1 + DRIFT * drift(h->key, h->line));
+    }
+    return ok;
+}
+
+bool plb_hatch_lines(const shape *s, const hatch_layer *l, box page, const marks *m)
+{
+    frame f = plb_frame(l->angle);
+    uint64_t identity = random_mix(s->identity + (uint64_t)l->layer);
+    hatching h = {.l = l, .m = m, .f = f, .page = plb_frame_box(f, page), .key = random_key(m->how->seed, identity, PURPOSE_HATCH)};
+    sections k;
+    bool ok = plb_sections_init(&k, s, f, 0, m->err);
+    double length = k.bounds.x1 - k.bounds.x0;
+    k.tilt = TILT * fmin(1, TILT_LENGTH / fmax(length, 1e-9)) * fmin(1, l->spacing);
+    ok = ok && send_lines(&h, &k, fmax(k.bounds.y0, h.page.y0), fmin(k.bounds.y1, h.page.y1));
+    plb_sections_free(&k);
+    return ok;
+}
+
+bool plb_mark_line(const marks *m, point a, point b, double pressure)
+{
+    track_point ends[2] = {{a, false}, {b, false}};
+    track t = {.points = {ends, 2, 2}, .style = m->style};
+    t.style.pressure = (float)pressure;
+    return plb_point_distance(a, b) < SAME_POINT_MM || m->sink(m->closure, &t);
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Tone by spacing and pressure. A person makes a light tone with a light hand and lines set wide apart, a darker one by
+ * setting them closer and pressing more, and the darkest by a second layer across the first. These go together, in one
+ * row of techniques from faint to dark; how dark each comes out is measured on the pencil itself (api/tone.c), so that
+ * whatever the pencil, a tone is met, as far as the pencil goes.
+ */
+#include "plan/hatch/hatch_tone.h"
+
+#include <math.h>
+
+/* Spacing of the first layer, in widths of the pencil's line, and pressure, at efforts 0, 1/2 and 1; the second layer
+ * begins at CROSS_FROM with CROSS_WIDEST (all chosen by eye). */
+static const double spacing_at[3] = {2.2, 1.15, .75};
+static const double pressure_at[3] = {.3, .75, 1.25};
+#define CROSS_FROM 0.62
+#define CROSS_WIDEST 2.6
+#define CROSS_CLOSEST 0.8
+/* Darker than this part of what the pencil can do, tones are drawn together so that black is its darkest. */
+#define KNEE 0.84
+
+static double between(const double at[3], double t)
+{
+    return t < .5 ? at[0] + (at[1] - at[0]) * 2 * t : at[1] + (at[2] - at[1]) * (2 * t - 1);
+}
+
+technique plb_technique(double effort, double width)
+{
+    double t = effort < 0 ? 0 : effort > 1 ? 1 : effort;
+    double first[3] = {log(spacing_at[0]), log(spacing_at[1]), log(spacing_at[2])};
+    technique q = {.pressure = between(pressure_at, t), .spacing = {width * exp(between(first, t)), 0}};
+    if (t > CROSS_FROM) {
+        double part = (t - CROSS_FROM) / (1 - CROSS_FROM);
+        q.spacing[1] = width * CROSS_WIDEST * pow(CROSS_CLOSEST / CROSS_WIDEST, part);
+    }
+    return q;
+}
+
+/* What the pencil can do of a darkness: as it is up to the knee, then evenly up to the pencil's darkest. */
+static double within_reach(double darkness, double darkest)
+{
+    double knee = KNEE * darkest;
+    if (darkest >= 1 || darkness <= knee)
+        return darkness;
+    return knee + (darkness - knee) / (1 - knee) * (darkest - knee);
+}
+
+technique plb_technique_for(double darkness, const plan_options *o)
+{
+    const double *scale = o->tone.darkness;
+    double want = within_reach(darkness, scale[TONE_STEPS - 1]);
+    int k = 1;
+    while (k < TONE_STEPS - 1 && scale[k] < want)
+        k++;
+    double step = scale[k] - scale[k - 1], part = step > 0 ? (want - scale[k - 1]) / step : 1;
+    technique q = plb_technique((k - 1 + part) / (TONE_STEPS - 1), o->pencil_width);
+    if (want < scale[0]) /* fainter than the faintest: farther apart */
+        q.spacing[0] *= scale[0] / want;
+    return q;
+}
+
+double plb_paint_darkness(const paint *p, bool colour)
+{
+    double darkness = colour ? p->alpha : 1 - plb_paint_lightness(*p);
+    return darkness < 0 ? 0 : darkness > 1 ? 1 : darkness;
+}
+
+tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, bool colour)
+{
+    return (tone_source){.paint = &fill->paint, .gradient = plb_item_gradient(list, fill), .colour = colour, .how = o};
+}
+
+double plb_darkness_at(const tone_source *t, point at)
+{
+    if (!t->gradient)
+        return plb_paint_darkness(t->paint, t->colour);
+    paint there = plb_gradient_at(t->gradient, at);
+    return plb_paint_darkness(&there, t->colour);
+}
+
+double plb_darkest(const tone_source *t)
+{
+    const gradient *g = t->gradient;
+    double most = g ? 0 : plb_paint_darkness(t->paint, t->colour);
+    for (unsigned i = 0; g && i < g->n; i++) {
+        const gradient_stop *s = &g->stops[i];
+        paint there = {PAINT_SOLID, (double)s->red, (double)s->green, (double)s->blue, (double)s->alpha * g->opacity};
+        most = fmax(most, plb_paint_darkness(&there, t->colour));
+    }
+    return most;
+}

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Tone: how a darkness is made of spacing, pressure and layers.
+ */
+#ifndef PLB_PLAN_HATCH_HATCH_TONE_H
+#define PLB_PLAN_HATCH_HATCH_TONE_H
+
+#include "list/display_list.h"
+#include "plan/plan.h"
+
+/* Lighter tones are left to the paper (chosen by eye). */
+#define MIN_DARKNESS 0.045
+
+/* How an area is hatched. */
+#define HATCH_LAYERS 2
+typedef struct {
+    double pressure;
+    double spacing[HATCH_LAYERS]; /* of each layer's lines, mm; 0: no such layer */
+} technique;
+
+/* From the faintest, 0, to the darkest, 1; `width` is the pencil's, mm. */
+technique plb_technique(double effort, double width);
+/* The technique for a darkness (0 paper to 1 black) with the pencil of these options. */
+technique plb_technique_for(double darkness, const plan_options *o);
+
+/* Where tone comes from: one paint, or a gradient. */
+typedef struct {
+    const paint *paint;
+    const gradient *gradient; /* NULL: the paint's tone is the same everywhere */
+    bool colour;
+    const plan_options *how;
+} tone_source;
+tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, bool colour);
+/* The darkest of all its places. */
+double plb_darkest(const tone_source *t);
+double plb_darkness_at(const tone_source *t, point at);
+
+/* The darkness that a paint means. In colour it is how densely the pencil covers. */
+double plb_paint_darkness(const paint *p, bool colour);
+
+#endif

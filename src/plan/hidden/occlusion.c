@@ -1,0 +1,442 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Plan, step 4: hidden lines. In painter's order an opaque area hides what was painted before it; a person leaves out
+ * what is hidden, and lifts the pencil where a line goes under.
+ *
+ * What hides is a fill, or a line much wider than the pencil's, whose paint is opaque; white counts: a program blots
+ * out with it. Areas are kept in a tree of boxes (sorted by Morton code and packed bottom up, eight to a node), each
+ * node with the latest item below it, so that a question passes by all that lies elsewhere or earlier.
+ * An area's region is made when a question first reaches it. Before that a raster of what covers its cells whole
+ * (coverage_raster.h) tells most of what is hidden, so that only lines near to what is seen are cut exactly.
+ */
+#include "plan/hidden/occlusion.h"
+
+#include "plan/shape/trim.h"
+#include "plan/hidden/coverage_raster.h"
+#include "plan/item/weight.h"
+#include "plan/item/wide.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* Paint more opaque than this hides (chosen by eye: half-transparent tints do not). */
+#define OPAQUE 0.95
+/* A line no farther inside an area than this is on its edge, half seen: it stays (neighbours share outlines). */
+#define EDGE_MARGIN_MM 0.05
+/* Boxes to a node of the tree. */
+#define FAN 8
+/* The most looks at edges for one drawing, some seconds of them: beyond, nothing more is cut. */
+#define MAX_WORK 2e8
+
+typedef struct {
+    box bounds;
+    size_t order;    /* the item's number */
+    uint32_t code;   /* Morton code of the middle */
+    region *region;  /* made when first needed */
+    bool is_failed;  /* it could not be made */
+} area;
+
+typedef struct {
+    box bounds;
+    size_t latest; /* the largest order below */
+} node;
+
+struct cover {
+    const display_list *list;
+    const plan_options *how;
+    clipper *clips;
+    ARRAY(area) areas;
+    ARRAY(node) nodes; /* level after level, the areas' own boxes first */
+    size_t level[12], levels; /* where each level starts; FAN to the power of 12 is beyond LIST_MAX_ITEMS */
+    topmost *raster; /* NULL where nothing hides */
+    bool *hidden;    /* of each item: no need to look at it */
+    double work;
+    size_t asks; /* the item that asks */
+    bool later;  /* what comes after it counts; else what came before: set by each question, as the sinks ask others */
+    error *err;
+};
+
+/* ---- which areas ---- */
+
+static bool is_opaque(const item *it)
+{
+    return it->paint.alpha >= OPAQUE && it->paint.kind != PAINT_PATTERN;
+}
+
+static bool hides(const item *it, const plan_options *o)
+{
+    bool is_area = it->kind == ITEM_FILL || (plb_is_wide(it, o) && it->dash.n == 0);
+    return is_area && is_opaque(it);
+}
+
+static box intersect(box a, box b)
+{
+    return (box){fmax(a.x0, b.x0), fmax(a.y0, b.y0), fmin(a.x1, b.x1), fmin(a.y1, b.y1)};
+}
+
+/* The box that an item can paint in: its path's, within the page and its clips. */
+static box reach_of(const display_list *list, const item *it)
+{
+    box b = plb_path_bounds(&it->path);
+    double more = it->kind == ITEM_STROKE ? it->width : 0; /* half would do but for square caps */
+    b = (box){b.x0 - more, b.y0 - more, b.x1 + more, b.y1 + more};
+    b = intersect(b, (box){0, 0, list->width, list->height});
+    for (int k = it->clip; k != NO_CLIP; k = list->clips.v[k].parent)
+        b = intersect(b, plb_path_bounds(&list->clips.v[k].path));
+    return b;
+}
+
+static uint32_t spread(double unit)
+{
+    uint32_t x = (uint32_t)(fmin(fmax(unit, 0), 1) * 65535);
+    x = (x | x << 8) & 0x00ff00ff;
+    x = (x | x << 4) & 0x0f0f0f0f;
+    x = (x | x << 2) & 0x33333333;
+    return (x | x << 1) & 0x55555555;
+}
+
+static bool add_area(cover *c, size_t i)
+{
+    const display_list *list = c->list;
+    box b = reach_of(list, &list->items.v[i]);
+    if (b.x1 - b.x0 < 2 * EDGE_MARGIN_MM || b.y1 - b.y0 < 2 * EDGE_MARGIN_MM)
+        return true; /* no room for anything to hide in */
+    area a = {.bounds = b, .order = i};
+    a.code = spread((b.x0 + b.x1) / 2 / list->width) | spread((b.y0 + b.y1) / 2 / list->height) << 1;
+    return array_push(&c->areas, a);
+}
+
+/* ---- the tree ---- */
+
+static int compare_areas(const void *a, const void *b)
+{
+    const area *x = a, *y = b;
+    return x->code != y->code ? (x->code < y->code ? -1 : 1) : (x->order > y->order) - (x->order < y->order);
+}
+
+static node join(const node *first, size_t n)
+{
+    node all = {BOX_EMPTY, 0};
+    for (size_t i = 0; i < n; i++) {
+        plb_box_add(&all.bounds, (point){first[i].bounds.x0, first[i].bounds.y0});
+        plb_box_add(&all.bounds, (point){first[i].bounds.x1, first[i].bounds.y1});
+        all.latest = first[i].latest > all.latest ? first[i].latest : all.latest;
+    }
+    return all;
+}
+
+static bool build(cover *c)
+{
+    if (c->areas.n == 0)
+        return true;
+    qsort(c->areas.v, c->areas.n, sizeof *c->areas.v, compare_areas);
+    if (!array_reserve(&c->nodes, c->areas.n + c->areas.n / (FAN - 1) + 16))
+        return false;
+    for (size_t i = 0; i < c->areas.n; i++)
+        c->nodes.v[c->nodes.n++] = (node){c->areas.v[i].bounds, c->areas.v[i].order};
+    for (size_t n = c->areas.n; n > 1; n = (n + FAN - 1) / FAN) {
+        size_t below = c->level[c->levels++];
+        c->level[c->levels] = c->nodes.n;
+        for (size_t k = 0; k < n; k += FAN)
+            c->nodes.v[c->nodes.n++] = join(c->nodes.v + below + k, n - k < FAN ? n - k : FAN);
+    }
+    c->levels++;
+    return true;
+}
+
+/* ---- what is hidden as a whole ---- */
+
+/* Whether the item's clips are upright boxes, so that its box within them says all. */
+static bool has_box_clips(const cover *c, const item *it)
+{
+    for (int k = it->clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {
+        const region *r = plb_clipper_region(c->clips, k, c->err);
+        if (!r || !plb_region_is_box(r))
+            return false;
+    }
+    return true;
+}
+
+static bool look_at_shape(cover *c, size_t i, box within)
+{
+    const item *it = &c->list->items.v[i];
+    bool covers = hides(it, c->how) && has_box_clips(c, it);
+    if (it->kind == ITEM_FILL)
+        return plb_topmost_add(c->raster, &it->path, it->even_odd, within, covers, i, &c->hidden[i], c->err);
+    path outline = {0};
+    bool ok = !covers || (plb_wide_outline(it, &outline, c->err) && plb_topmost_add(c->raster, &outline, false, within, covers, i, &c->hidden[i], c->err));
+    plb_path_free(&outline);
+    return ok;
+}
+
+/* From the last item to the first. */
+static bool find_hidden(cover *c)
+{
+    const display_list *list = c->list;
+    if (c->areas.n == 0)
+        return true;
+    c->raster = plb_topmost_new(list->width, list->height, c->areas.n);
+    c->hidden = plb_new(list->items.n, sizeof *c->hidden);
+    bool ok = c->raster && c->hidden;
+    for (size_t i = list->items.n; ok && i-- > 0;) {
+        box b = reach_of(list, &list->items.v[i]);
+        if (b.x0 > b.x1 || b.y0 > b.y1)
+            continue; /* beside the page */
+        c->hidden[i] = plb_topmost_hides_box(c->raster, b);
+        ok = c->hidden[i] || look_at_shape(c, i, b);
+    }
+    return ok;
+}
+
+bool plb_cover_hides_item(const cover *c, size_t i)
+{
+    return c->hidden && c->hidden[i];
+}
+
+cover *plb_cover_new(const display_list *list, const plan_options *o, clipper *clips, error *err)
+{
+    cover *c = plb_new(1, sizeof *c);
+    bool ok = c;
+    if (ok) {
+        c->list = list;
+        c->how = o;
+        c->clips = clips;
+        c->err = err;
+    }
+    for (size_t i = 0; ok && i < list->items.n; i++)
+        ok = !hides(&list->items.v[i], o) || add_area(c, i);
+    if (ok && build(c) && find_hidden(c))
+        return c;
+    plb_cover_free(c);
+    plb_fail_memory(err);
+    return NULL;
+}
+
+void plb_cover_free(cover *c)
+{
+    if (!c)
+        return;
+    for (size_t i = 0; i < c->areas.n; i++)
+        plb_region_free(c->areas.v[i].region);
+    array_free(&c->areas);
+    array_free(&c->nodes);
+    plb_topmost_free(c->raster);
+    plb_free(c->hidden);
+    plb_free(c);
+}
+
+bool plb_cover_is_exhausted(const cover *c)
+{
+    return c->work > MAX_WORK;
+}
+
+/* ---- questions ---- */
+
+static region *make_region(cover *c, const item *it)
+{
+    if (it->kind == ITEM_FILL)
+        return plb_region_new(&it->path, it->even_odd, c->err);
+    path outline = {0};
+    region *r = plb_wide_outline(it, &outline, c->err) ? plb_region_new(&outline, false, c->err) : NULL;
+    plb_path_free(&outline);
+    return r;
+}
+
+static const region *region_of(cover *c, area *a)
+{
+    if (!a->region && !a->is_failed) {
+        a->region = make_region(c, &c->list->items.v[a->order]);
+        a->is_failed = !a->region;
+    }
+    return a->region;
+}
+
+/* Does something: true goes on to the next area. */
+typedef bool (*area_visit)(cover *c, area *a, void *closure);
+
+/* Whether something below the node may matter: a box that meets `b`, later than the one that asks, or any. */
+static bool concerns(cover *c, const node *at, const box *b)
+{
+    c->work++;
+    bool apart = (at->bounds.x0 > b->x1) | (at->bounds.x1 < b->x0) | (at->bounds.y0 > b->y1) | (at->bounds.y1 < b->y0);
+    return !(apart | (c->later & (at->latest <= c->asks)) | plb_cover_is_exhausted(c));
+}
+
+/* Every such area below a node; false when a visit said so. */
+static bool visit(cover *c, size_t level, size_t k, const box *b, area_visit see, void *closure)
+{
+    if (level == 0)
+        return see(c, &c->areas.v[k], closure);
+    const node *below = c->nodes.v + c->level[level - 1];
+    size_t n = c->level[level] - c->level[level - 1];
+    for (size_t i = k * FAN; i < n && i < (k + 1) * FAN; i++)
+        if (concerns(c, &below[i], b) && !visit(c, level - 1, i, b, see, closure))
+            return false;
+    return true;
+}
+
+static bool visit_all(cover *c, box b, area_visit see, void *closure)
+{
+    return c->areas.n == 0 || !concerns(c, &c->nodes.v[c->nodes.n - 1], &b) || visit(c, c->levels - 1, 0, &b, see, closure);
+}
+
+typedef struct {
+    point from, to;
+    crossings *at;
+} cross_question;
+
+static bool cross_area(cover *c, area *a, void *closure)
+{
+    cross_question *q = closure;
+    if ((a->order > c->asks) != c->later)
+        return true;
+    const region *r = region_of(c, a);
+    if (!r || !plb_region_cross(r, q->from, q->to, q->at))
+        return false;
+    c->work += plb_region_work(r, q->from, q->to);
+    for (int k = c->list->items.v[a->order].clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {
+        const region *within = plb_clipper_region(c->clips, k, c->err);
+        if (!within || !plb_region_cross(within, q->from, q->to, q->at))
+            return false;
+        c->work += plb_region_work(within, q->from, q->to);
+    }
+    return true;
+}
+
+static bool cross(cover *c, bool later, point from, point to, crossings *at)
+{
+    c->later = later;
+    if (plb_cover_is_exhausted(c))
+        return true;
+    box b = BOX_EMPTY;
+    plb_box_add(&b, from);
+    plb_box_add(&b, to);
+    return visit_all(c, b, cross_area, &(cross_question){from, to, at});
+}
+
+static bool covers(cover *c, area *a, point p)
+{
+    const region *r = region_of(c, a);
+    if (!r)
+        return false;
+    c->work += plb_region_work(r, p, p);
+    if (!plb_region_covers(r, p, EDGE_MARGIN_MM))
+        return false;
+    for (int k = c->list->items.v[a->order].clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {
+        const region *within = plb_clipper_region(c->clips, k, c->err);
+        if (!within || !plb_region_covers(within, p, EDGE_MARGIN_MM))
+            return false;
+    }
+    return true;
+}
+
+/* Asks on while the point is not covered. */
+static bool leaves_open(cover *c, area *a, void *closure)
+{
+    return !covers(c, a, *(const point *)closure);
+}
+
+static bool sees(const void *of, point p)
+{
+    cover *c = (cover *)of;
+    c->later = true;
+    return plb_cover_is_exhausted(c) || visit_all(c, (box){p.x, p.y, p.x, p.y}, leaves_open, &p);
+}
+
+static bool cross_above(const void *of, point from, point to, crossings *at)
+{
+    return cross((cover *)of, true, from, to, at);
+}
+
+static bool cross_below(const void *of, point from, point to, crossings *at)
+{
+    return cross((cover *)of, false, from, to, at);
+}
+
+/* What lies on top below the item that asks. */
+typedef struct {
+    point at;
+    size_t next; /* one more than the order of the latest area found; 0: none */
+} ground_question;
+
+static bool find_ground(cover *c, area *a, void *closure)
+{
+    ground_question *q = closure;
+    if (a->order < c->asks && a->order >= q->next && covers(c, a, q->at))
+        q->next = a->order + 1;
+    return true;
+}
+
+static bool is_same_paint(const paint *a, const paint *b)
+{
+    return a->kind == PAINT_SOLID && b->kind == PAINT_SOLID && a->red == b->red && a->green == b->green && a->blue == b->blue;
+}
+
+static bool stands_out(const void *of, point p)
+{
+    cover *c = (cover *)of;
+    ground_question q = {p, 0};
+    c->later = false;
+    visit_all(c, (box){p.x, p.y, p.x, p.y}, find_ground, &q);
+    return plb_cover_is_exhausted(c) || q.next == 0 || !is_same_paint(&c->list->items.v[q.next - 1].paint, &c->list->items.v[c->asks].paint);
+}
+
+static bool stop(cover *c, area *a, void *closure)
+{
+    (void)c, (void)a, (void)closure;
+    return false;
+}
+
+/* ---- cutting: first by the raster, what is left exactly ---- */
+
+static bool cross_raster(const void *of, point from, point to, crossings *at)
+{
+    const cover *c = of;
+    return plb_topmost_cross(c->raster, c->asks, from, to, at);
+}
+
+static bool is_open(const void *of, point p)
+{
+    const cover *c = of;
+    return !plb_topmost_is_over(c->raster, c->asks, p);
+}
+
+typedef struct {
+    cut_rule rule;
+    track_sink sink;
+    void *closure;
+    error *err;
+} exact_cut;
+
+static bool cut_exactly(void *closure, const track *t)
+{
+    const exact_cut *k = closure;
+    return plb_plan_cut(&k->rule, t, k->sink, k->closure, k->err);
+}
+
+static bool cut_twice(cover *c, size_t i, const track *t, exact_cut *second)
+{
+    cut_rule first = {cross_raster, is_open, c};
+    c->asks = i;
+    c->err = second->err;
+    return c->raster ? plb_plan_cut(&first, t, cut_exactly, second, second->err) : cut_exactly(second, t);
+}
+
+bool plb_plan_hide(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err)
+{
+    c->asks = i;
+    c->later = true;
+    c->err = err;
+    if (visit_all(c, plb_track_bounds(t), stop, NULL)) /* nothing near */
+        return sink(closure, t);
+    exact_cut exact = {{cross_above, sees, c}, sink, closure, err};
+    return cut_twice(c, i, t, &exact);
+}
+
+bool plb_plan_fuse(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err)
+{
+    if (!is_opaque(&c->list->items.v[i]))
+        return sink(closure, t);
+    exact_cut exact = {{cross_below, stands_out, c}, sink, closure, err};
+    return cut_twice(c, i, t, &exact);
+}

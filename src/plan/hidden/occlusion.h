@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What is hidden stays hidden: opaque areas painted later cover the lines below them.
+ */
+#ifndef PLB_PLAN_HIDDEN_OCCLUSION_H
+#define PLB_PLAN_HIDDEN_OCCLUSION_H
+
+#include "plan/item/clip.h"
+#include "plan/plan.h"
+
+/* All that hides in a drawing, ready to be asked. */
+typedef struct cover cover;
+
+/* Looks through the list; the clipper stays the caller's and must outlive the result. NULL and `err` on failure. */
+cover *plb_cover_new(const display_list *list, const plan_options *o, clipper *c, error *err);
+void plb_cover_free(cover *c);
+/* Whether item number `i` is hidden as a whole, as far as that is found by a glance: its plan can be left out. */
+bool plb_cover_hides_item(const cover *c, size_t i);
+/* Hands on the parts of `t`, which belongs to item number `i`, that no later item hides. */
+bool plb_plan_hide(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err);
+/* Hands on the parts of `t`, the outline of the filled item number `i`, that do not lie upon an area of the same paint:
+ * shapes of one paint make one shape. */
+bool plb_plan_fuse(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err);
+/* Whether the work had a bound and reached it: what came after was not cut. */
+bool plb_cover_is_exhausted(const cover *c);
+
+#endif

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Clips: what lies outside the page or outside a clip is cut away.
+ */
+#ifndef PLB_PLAN_ITEM_CLIP_H
+#define PLB_PLAN_ITEM_CLIP_H
+
+#include "plan/shape/region.h"
+#include "plan/track.h"
+
+/* The clips of a display list and its page, as regions made when first needed. */
+typedef struct clipper clipper;
+clipper *plb_clipper_new(const display_list *list, error *err);
+void plb_clipper_free(clipper *c);
+/* The clip of that index, without its parents; NULL and `err` when out of memory. */
+const region *plb_clipper_region(clipper *c, int index, error *err);
+/* The parts of `t` inside a clip, its parents and the page; `index` is an item's clip or NO_CLIP. */
+bool plb_plan_clip(clipper *c, int index, const track *t, track_sink sink, void *closure, error *err);
+
+#endif

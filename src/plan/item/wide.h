@@ -1,0 +1,18 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Lines wider than the pencil's: the area that they cover, and the passes by which the pencil covers it.
+ */
+#ifndef PLB_PLAN_ITEM_WIDE_H
+#define PLB_PLAN_ITEM_WIDE_H
+
+#include "plan/plan.h"
+#include "plan/track.h"
+
+/* Appends the area of the line `it`, its width and caps counted, its dashes not, to `out`: by the nonzero rule. False
+ * and `err` when out of memory. */
+bool plb_wide_outline(const item *it, path *out, error *err);
+
+/* Hands on the passes of the track `t` of the wide line `it`: side by side, closer the darker its paint is. */
+bool plb_plan_passes(const item *it, const track *t, const plan_options *o, track_sink sink, void *closure, error *err);
+
+#endif

@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Lettering: see letter.h. Each part of a fill is judged by its thickness: 2 area / perimeter is a stroke's width, and the
+ * radius of the largest disc inside is half of that for a stroke but all of it for whatever has one disc that touches
+ * every side (discs, squares, triangles: dots and arrowheads). Strokes are then ordered and turned as a right hand
+ * letters: from the top, from the left, rings against the clock.
+ */
+#include "plan/letter/letter.h"
+
+#include "plan/item/wide.h"
+
+#include <math.h>
+#include <string.h>
+
+/* Pixels across a stroke: enough for the axis' place, and for hairlines a third as wide. */
+#define PIXELS_PER_STEM 8.0
+/* All chosen by eye. */
+#define THIN_PENCILS 2.2     /* a stroke up to this many pencil lines wide is thin at any size */
+#define THIN_MM 1.2          /* up to this when the letters are small */
+#define SMALL_MM 8.0
+#define COMPACT 0.85         /* largest radius to 2 area / perimeter: above, and */
+#define ROUND 3.6            /* perimeter^2 to 4 pi area: below, a dot or an arrowhead; a disc 1, a triangle 1 x 4 3.3 */
+#define DOT_STEMS 5.0        /* largest size of the dots and commas among letters */
+#define LONE_DOT_PENCILS 1.3 /* a dot by itself is lettering up to this size */
+#define MIN_RING_MM 0.07
+#define THICK 2.0            /* the largest disc of a part may be this many strokes wide */
+#define BAR 5.0              /* a quadrangle this much longer than wide is a line */
+#define DETAIL_PENCILS 0.12  /* what sticks out less than this is not drawn */
+#define NIB_PENCILS 0.5      /* a stroke ends half of this before the tip */
+#define BOLD_PENCILS 1.6     /* broader strokes are made of passes side by side */
+
+typedef struct {
+    const plan_options *how;
+    double stem;   /* of the whole fill, mm */
+    double height; /* of its tallest part: the shorter side of its bounds, mm */
+    bool is_bar;   /* one shape of at most four sides */
+    float pressure;
+    size_t letters; /* parts that are no dots */
+    ARRAY(track) tracks;
+    ARRAY(double) breadths; /* of each track's stroke, mm; 0: the pencil's */
+    double breadth;         /* of the part at work */
+} lettering;
+
+static double stem_of(const letter_part *p)
+{
+    return p->perimeter > 0 ? 2 * p->area / p->perimeter : 0;
+}
+
+static double size_of(box b)
+{
+    return fmax(b.x1 - b.x0, b.y1 - b.y0);
+}
+
+static void measure(lettering *l, const letter_parts *parts)
+{
+    double area = 0, perimeter = 0;
+    for (size_t i = 0; i < parts->parts.n; i++) {
+        const letter_part *p = &parts->parts.v[i];
+        area += p->area;
+        perimeter += p->perimeter;
+        l->height = fmax(l->height, fmin(p->bounds.x1 - p->bounds.x0, p->bounds.y1 - p->bounds.y0));
+    }
+    l->is_bar = parts->parts.n == 1 && parts->parts.v[0].outline.points.n <= 4;
+    l->stem = perimeter > 0 ? 2 * area / perimeter : 0;
+}
+
+static bool is_thin(const lettering *l, double stem)
+{
+    return stem <= THIN_PENCILS * l->how->pencil_width || (stem <= THIN_MM && l->height <= SMALL_MM && !l->is_bar);
+}
+
+/* Thin letters are drawn lightly: a light line is a narrow one. */
+static float pressure_of(const lettering *l)
+{
+    double p = 0.6 + 0.4 * l->stem / l->how->pencil_width;
+    return (float)fmin(1, fmax(0.7, p));
+}
+
+/* ---- from pen strokes to tracks ---- */
+
+static bool push_point(track *t, point at, bool corner)
+{
+    track_point p = {at, corner};
+    if (t->points.n && plb_point_distance(t->points.v[t->points.n - 1].at, at) < SAME_POINT_MM)
+        return true;
+    return array_push(&t->points, p);
+}
+
+static bool add_track(lettering *l, const raster *r, const pen *p, const pen_stroke *s)
+{
+    track t = {.closed = s->closed, .style = {l->pressure, 0, STROKE_LETTER}};
+    bool ok = true;
+    for (size_t i = 0; ok && i < s->n; i++) {
+        pen_point at = p->points.v[s->first + i];
+        ok = push_point(&t, point_add(r->origin, point_scale(at.at, r->pixel)), at.corner);
+    }
+    ok = ok && array_push(&l->breadths, l->breadth) && array_push(&l->tracks, t);
+    if (!ok)
+        array_free(&t.points);
+    return ok;
+}
+
+/* The point turns on the spot, in a ring as wide as the dot needs. */
+static bool add_dot(lettering *l, box b)
+{
+    track t = {.closed = true, .style = {l->pressure, 0, STROKE_LETTER}};
+    point middle = {(b.x0 + b.x1) / 2, (b.y0 + b.y1) / 2};
+    double radius = fmax((size_of(b) - l->how->pencil_width) / 2, MIN_RING_MM);
+    bool ok = true;
+    for (int i = 0; ok && i <= 12; i++) {
+        double a = -PLB_PI / 2 - (i % 12) * PLB_PI / 6;
+        ok = push_point(&t, (point){middle.x + radius * cos(a), middle.y + radius * sin(a)}, false);
+    }
+    ok = ok && array_push(&l->breadths, 0.0) && array_push(&l->tracks, t);
+    if (!ok)
+        array_free(&t.points);
+    return ok;
+}
+
+/* About as high as wide, and of one disc or hardly longer than a stroke is thick. */
+static bool is_dot(const lettering *l, box b, bool compact)
+{
+    double w = b.x1 - b.x0, h = b.y1 - b.y0;
+    return fmax(w, h) < 1.6 * fmin(w, h) && (compact || fmax(w, h) < 1.8 * l->stem);
+}
+
+/* ---- one part ---- */
+
+/* The two middles of the short sides of a quadrangle much longer than wide; false of anything else. Drawings have
+ * thousands of such bars, some as long as the page: they need no raster. */
+static bool is_long_bar(const letter_part *part, point *from, point *to)
+{
+    const point *p = part->outline.points.v;
+    if (part->outline.starts.n != 1 || part->outline.points.n != 4)
+        return false;
+    double side[4];
+    for (int i = 0; i < 4; i++)
+        side[i] = plb_point_distance(p[i], p[(i + 1) % 4]);
+    int k = side[0] + side[2] < side[1] + side[3] ? 0 : 1; /* the first short side */
+    *from = point_mix(p[k], p[k + 1], 0.5);
+    *to = point_mix(p[k + 2], p[(k + 3) % 4], 0.5);
+    return BAR * fmax(side[k], side[k + 2]) < fmin(side[k + 1], side[(k + 3) % 4]);
+}
+
+static bool add_bar(lettering *l, point from, point to, double width)
+{
+    track t = {.style = {l->pressure, 0, STROKE_LETTER}};
+    double off = fmin(NIB_PENCILS * l->how->pencil_width, width) / 2 / plb_point_distance(from, to);
+    bool ok = push_point(&t, point_mix(from, to, off), false) && push_point(&t, point_mix(to, from, off), false) &&
+              array_push(&l->breadths, width) && array_push(&l->tracks, t);
+    if (!ok)
+        array_free(&t.points);
+    l->letters++;
+    return ok;
+}
+
+static bool draw_axis(lettering *l, raster *r, double stem, error *err)
+{
+    medial m = {0};
+    pen p = {0};
+    bool ok = plb_medial_thin(r, err) && plb_medial_graph(&m, r, err) &&
+              plb_medial_prune(&m, stem / r->pixel, DETAIL_PENCILS * l->how->pencil_width / r->pixel, err) &&
+              plb_medial_corners(&m, r, err) && plb_medial_strokes(&m, r, NIB_PENCILS * l->how->pencil_width / r->pixel, &p, err) && plb_pen_smooth(&p, stem / r->pixel, err);
+    for (size_t i = 0; ok && i < p.strokes.n; i++)
+        if (p.strokes.v[i].n > 1)
+            ok = add_track(l, r, &p, &p.strokes.v[i]) || plb_fail_memory(err);
+    plb_medial_free(&m);
+    plb_pen_free(&p);
+    return ok;
+}
+
+/* Area counts the pixels: contours that overlap are counted once, holes of any direction left out. */
+static bool fill_raster(raster *r, const letter_part *part, double *stem, error *err)
+{
+    *stem = stem_of(part);
+    for (int attempt = 0; attempt < 2; attempt++) {
+        if (!plb_raster_fill(r, &part->outline, *stem / PIXELS_PER_STEM, err))
+            return false;
+        double real = 2 * (double)r->area * r->pixel * r->pixel / part->perimeter;
+        bool fits = !r->width || real > 0.7 * *stem;
+        if (fits || attempt)
+            break;
+        *stem = real;
+        plb_raster_free(r);
+    }
+    return true;
+}
+
+static bool draw_part(lettering *l, const letter_part *part, bool *taken, error *err)
+{
+    raster r;
+    double stem;
+    point from, to;
+    if (is_long_bar(part, &from, &to)) {
+        *taken = is_thin(l, stem_of(part));
+        return !*taken || add_bar(l, from, to, stem_of(part)) || plb_fail_memory(err);
+    }
+    if (!fill_raster(&r, part, &stem, err))
+        return false;
+    double radius = r.largest * r.pixel;
+    bool ok = true, compact = radius > COMPACT * stem && part->perimeter < ROUND * 2 * PLB_PI * stem; /* P^2/A = 2 P / stem */
+    *taken = r.width && is_thin(l, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->how->pencil_width);
+    if (*taken && compact)
+        *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->how->pencil_width);
+    size_t before = l->tracks.n;
+    l->breadth = stem;
+    if (*taken && !is_dot(l, part->bounds, compact))
+        ok = draw_axis(l, &r, stem, err);
+    if (ok && *taken && l->tracks.n == before) /* of a comma there is a line */
+        ok = add_dot(l, part->bounds) || plb_fail_memory(err);
+    l->letters += *taken && !compact;
+    plb_raster_free(&r);
+    return ok;
+}
+
+static bool draw_parts(lettering *l, const letter_parts *parts, bool *taken, error *err)
+{
+    bool ok = true;
+    *taken = parts->parts.n > 0 && is_thin(l, l->stem);
+    for (size_t i = 0; ok && *taken && i < parts->parts.n; i++)
+        if (parts->parts.v[i].area > 0)
+            ok = draw_part(l, &parts->parts.v[i], taken, err);
+    if (l->letters == 0)
+        for (size_t i = 0; i < parts->parts.n; i++)
+            *taken = *taken && size_of(parts->parts.v[i].bounds) <= LONE_DOT_PENCILS * l->how->pencil_width;
+    return ok;
+}
+
+/* ---- how a hand goes ---- */
+
+static void reverse(track *t)
+{
+    for (size_t i = 0, k = t->points.n - 1; i < k; i++, k--) {
+        track_point p = t->points.v[i];
+        t->points.v[i] = t->points.v[k];
+        t->points.v[k] = p;
+    }
+}
+
+static double turning(const track *t)
+{
+    double sum = 0;
+    for (size_t i = 1; i < t->points.n; i++)
+        sum += point_cross(t->points.v[i - 1].at, t->points.v[i].at);
+    return sum; /* > 0: clockwise, as y points down */
+}
+
+/* Downwards, or to the right where it is more level. */
+static void turn_by_hand(track *t)
+{
+    point d = point_sub(t->points.v[t->points.n - 1].at, t->points.v[0].at);
+    if (t->closed ? turning(t) > 0 : d.x + 1.5 * d.y < 0)
+        reverse(t);
+}
+
+/* A broad stroke keeps its weight. */
+typedef struct {
+    const stroke_style *style;
+    track_sink sink;
+    void *closure;
+} bold;
+
+static bool send_pass(void *closure, const track *t)
+{
+    const bold *b = closure;
+    track touched = *t;
+    touched.style = *b->style;
+    return b->sink(b->closure, &touched);
+}
+
+static bool send_stroke(const lettering *l, size_t i, const item *fill, track_sink sink, void *closure, error *err)
+{
+    const track *t = &l->tracks.v[i];
+    if (l->breadths.v[i] <= BOLD_PENCILS * l->how->pencil_width)
+        return sink(closure, t);
+    item broad = {.kind = ITEM_STROKE, .paint = fill->paint, .width = l->breadths.v[i], .cap = LINE_CAP_BUTT};
+    return plb_plan_passes(&broad, t, l->how, send_pass, &(bold){&t->style, sink, closure}, err);
+}
+
+bool plb_plan_letter(const item *fill, const plan_options *o, bool *taken, track_sink sink, void *closure, error *err)
+{
+    lettering l = {.how = o};
+    letter_parts parts;
+    *taken = false;
+    if (!plb_letter_split(&parts, fill, err))
+        return false;
+    measure(&l, &parts);
+    l.pressure = pressure_of(&l);
+    bool ok = draw_parts(&l, &parts, taken, err);
+    for (size_t i = 0; i < l.tracks.n; i++) {
+        turn_by_hand(&l.tracks.v[i]);
+        ok = ok && (!*taken || send_stroke(&l, i, fill, sink, closure, err));
+    }
+    for (size_t i = 0; i < l.tracks.n; i++)
+        array_free(&l.tracks.v[i].points);
+    array_free(&l.tracks);
+    array_free(&l.breadths);
+    plb_letter_parts_free(&parts);
+    return ok;
+}

@@ -1,0 +1,271 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Regions: see region.h. An edge is listed in every band that its height touches, so a question looks at one band
+ * (a point) or at those that a segment passes.
+ */
+#include "plan/shape/region.h"
+
+#include "plan/track.h"
+
+#include <math.h>
+#include <string.h>
+
+typedef struct {
+    point a, b;
+} edge;
+
+struct region {
+    bool even_odd, is_box;
+    box bounds;
+    ARRAY(edge) edges;
+    size_t bands;
+    double band_height;
+    size_t *first;   /* bands + 1: where each band's edges start in `listed` */
+    uint32_t *listed;
+};
+
+static bool add_edges(void *closure, const track *t)
+{
+    region *r = closure;
+    size_t n = t->points.n;
+    if (!array_reserve(&r->edges, n))
+        return false;
+    for (size_t i = 0; i < n; i++) { /* fills and clips close their subpaths */
+        edge e = {t->points.v[i].at, t->points.v[(i + 1) % n].at};
+        plb_box_add(&r->bounds, e.a);
+        if (e.a.y != e.b.y || e.a.x != e.b.x)
+            r->edges.v[r->edges.n++] = e;
+    }
+    return true;
+}
+
+static size_t band_of(const region *r, double y)
+{
+    double k = (y - r->bounds.y0) / r->band_height;
+    return k <= 0 ? 0 : k >= (double)r->bands ? r->bands - 1 : (size_t)k;
+}
+
+/* Without the call that fmin and fmax are. */
+static inline double lower(double a, double b)
+{
+    return a < b ? a : b;
+}
+
+static inline double higher(double a, double b)
+{
+    return a > b ? a : b;
+}
+
+static void band_range(const region *r, edge e, size_t *low, size_t *high)
+{
+    *low = band_of(r, lower(e.a.y, e.b.y));
+    *high = band_of(r, higher(e.a.y, e.b.y));
+}
+
+/* About four edges a band were they short, but so few bands that tall edges are listed about eight times only. */
+static size_t count_bands(const region *r)
+{
+    double heights = 0, whole = r->bounds.y1 - r->bounds.y0, n = (double)r->edges.n;
+    for (size_t i = 0; i < r->edges.n; i++)
+        heights += fabs(r->edges.v[i].a.y - r->edges.v[i].b.y);
+    double bands = n / 4;
+    if (heights > 0 && bands > 8 * n * whole / heights)
+        bands = 8 * n * whole / heights;
+    return bands > 4096 ? 4096 : (size_t)bands + 1;
+}
+
+static bool sort_into_bands(region *r)
+{
+    r->bands = count_bands(r);
+    r->band_height = (r->bounds.y1 - r->bounds.y0) / (double)r->bands;
+    if (!(r->band_height > 0))
+        r->band_height = 1;
+    size_t low, high, *count = plb_new(r->bands + 1, sizeof *count);
+    if (!count)
+        return false;
+    r->first = count;
+    for (size_t i = 0; i < r->edges.n; i++) {
+        band_range(r, r->edges.v[i], &low, &high);
+        for (size_t k = low; k <= high; k++)
+            count[k + 1]++;
+    }
+    for (size_t k = 0; k < r->bands; k++)
+        count[k + 1] += count[k];
+    r->listed = plb_new(count[r->bands], sizeof *r->listed);
+    size_t *fill = plb_new(r->bands, sizeof *fill);
+    if (r->listed && fill) {
+        memcpy(fill, count, r->bands * sizeof *fill);
+        for (size_t i = 0; i < r->edges.n; i++) {
+            band_range(r, r->edges.v[i], &low, &high);
+            for (size_t k = low; k <= high; k++)
+                r->listed[fill[k]++] = (uint32_t)i;
+        }
+    }
+    bool ok = r->listed && fill;
+    plb_free(fill);
+    return ok;
+}
+
+/* Four upright edges are a box. A turned page leaves errors of 1e-5 mm: the slack. */
+static bool looks_like_box(const region *r)
+{
+    double slack = 1e-3;
+    if (r->edges.n != 4)
+        return false;
+    for (size_t i = 0; i < 4; i++) {
+        edge e = r->edges.v[i];
+        bool upright = fabs(e.a.x - e.b.x) < slack, level = fabs(e.a.y - e.b.y) < slack;
+        if (upright == level)
+            return false;
+    }
+    return true;
+}
+
+region *plb_region_new(const path *p, bool even_odd, error *err)
+{
+    region *r = plb_new(1, sizeof *r);
+    if (!r) {
+        plb_fail_memory(err);
+        return NULL;
+    }
+    r->even_odd = even_odd;
+    r->bounds = BOX_EMPTY;
+    if (!plb_plan_flatten(p, false, add_edges, r, err) || !sort_into_bands(r)) {
+        plb_fail_memory(err);
+        plb_region_free(r);
+        return NULL;
+    }
+    r->is_box = looks_like_box(r);
+    return r;
+}
+
+void plb_region_free(region *r)
+{
+    if (!r)
+        return;
+    array_free(&r->edges);
+    plb_free(r->first);
+    plb_free(r->listed);
+    plb_free(r);
+}
+
+box plb_region_bounds(const region *r)
+{
+    return r->bounds;
+}
+
+bool plb_region_is_box(const region *r)
+{
+    return r->is_box;
+}
+
+/* Whether p lies beyond the edge's box by more than the margin. */
+static bool is_clear_of(edge e, point p, double margin)
+{
+    double more = margin + 1e-6; /* far above what rounding does */
+    return ((e.a.x > p.x + more) & (e.b.x > p.x + more)) | ((e.a.x < p.x - more) & (e.b.x < p.x - more)) |
+           ((e.a.y > p.y + more) & (e.b.y > p.y + more)) | ((e.a.y < p.y - more) & (e.b.y < p.y - more));
+}
+
+static double distance_to_edge(edge e, point p)
+{
+    point d = point_sub(e.b, e.a);
+    double t = point_dot(point_sub(p, e.a), d) / point_dot(d, d);
+    t = t < 0 ? 0 : t > 1 ? 1 : t;
+    return plb_point_distance(point_mix(e.a, e.b, t), p);
+}
+
+/* Whether the edge crosses the level of p to its right. Most lie so far aside that no division tells more; the slack is far
+ * above what rounding does. */
+static bool is_right_of(edge e, point p)
+{
+    const double slack = 1e-6;
+    if (e.a.x > p.x + slack && e.b.x > p.x + slack)
+        return true;
+    if (e.a.x < p.x - slack && e.b.x < p.x - slack)
+        return false;
+    return e.a.x + (p.y - e.a.y) / (e.b.y - e.a.y) * (e.b.x - e.a.x) > p.x;
+}
+
+static bool is_inside(const region *r, point p)
+{
+    if (p.y < r->bounds.y0 || p.y > r->bounds.y1 || p.x < r->bounds.x0 || p.x > r->bounds.x1)
+        return false;
+    int winding = 0, crossed = 0;
+    size_t k = band_of(r, p.y);
+    for (size_t i = r->first[k]; i < r->first[k + 1]; i++) {
+        edge e = r->edges.v[r->listed[i]];
+        if ((e.a.y <= p.y) == (e.b.y <= p.y))
+            continue;
+        if (is_right_of(e, p)) {
+            crossed++;
+            winding += e.a.y < e.b.y ? 1 : -1;
+        }
+    }
+    return r->even_odd ? crossed & 1 : winding != 0;
+}
+
+static bool is_near_edge(const region *r, point p, double margin)
+{
+    if (r->edges.n == 0)
+        return false;
+    for (size_t k = band_of(r, p.y - margin), last = band_of(r, p.y + margin); k <= last; k++)
+        for (size_t i = r->first[k]; i < r->first[k + 1]; i++) {
+            edge e = r->edges.v[r->listed[i]];
+            if (!is_clear_of(e, p, margin) && distance_to_edge(e, p) <= margin)
+                return true;
+        }
+    return false;
+}
+
+bool plb_region_contains(const region *r, point p, double margin)
+{
+    return is_inside(r, p) || is_near_edge(r, p, margin);
+}
+
+bool plb_region_covers(const region *r, point p, double margin)
+{
+    return is_inside(r, p) && !is_near_edge(r, p, margin);
+}
+
+double plb_region_work(const region *r, point from, point to)
+{
+    size_t low = band_of(r, lower(from.y, to.y)), high = band_of(r, higher(from.y, to.y));
+    return r->edges.n ? 4 + (double)(r->first[high + 1] - r->first[low]) : 1;
+}
+
+/* Where edge and segment meet, if they do: signs and sizes tell it before anything is divided. */
+static bool meets(edge e, point from, point d, double *at)
+{
+    point s = point_sub(e.b, e.a), w = point_sub(e.a, from);
+    double det = point_cross(d, s), t = point_cross(w, s), u = point_cross(w, d), size = fabs(det);
+    double t_size = det < 0 ? -t : t, u_size = det < 0 ? -u : u;
+    if (!((t_size > 0) & (t_size < size) & (u_size >= 0) & (u_size <= size)))
+        return false;
+    *at = t / det;
+    return true;
+}
+
+/* An edge is listed in several bands: it counts in the first that the segment passes, too. */
+static bool is_first_band(const region *r, edge e, size_t segment_low, size_t k)
+{
+    size_t low, high;
+    band_range(r, e, &low, &high);
+    return k == (low > segment_low ? low : segment_low);
+}
+
+bool plb_region_cross(const region *r, point from, point to, crossings *at)
+{
+    point d = point_sub(to, from);
+    double low = lower(from.y, to.y), high = higher(from.y, to.y), t;
+    if (high < r->bounds.y0 || low > r->bounds.y1 || r->edges.n == 0)
+        return true;
+    size_t first = band_of(r, low), last = band_of(r, high);
+    for (size_t k = first; k <= last; k++)
+        for (size_t i = r->first[k]; i < r->first[k + 1]; i++) {
+            edge e = r->edges.v[r->listed[i]];
+            if (meets(e, from, d, &t) && is_first_band(r, e, first, k) && !array_push(at, t))
+                return false;
+        }
+    return true;
+}

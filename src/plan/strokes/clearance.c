@@ -1,0 +1,174 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Plan, all strokes: hatching keeps clear of lettering. A person who shades an area that has words in it goes round the
+ * words: lines across the letters would make them unreadable.
+ * Input: the strokes in the order of the items, mm. Output: hatch lines cut where lettering that was painted later is near.
+ */
+#include "plan/shape/grid.h"
+#include "plan/strokes/pass.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+/* The paper that is left between a letter's line and the hatching, mm; of a line cut so no shorter piece is drawn than so
+ * many widths of the pencil (chosen by eye). */
+#define CLEAR_MM 0.25
+#define SHORTEST_WIDTHS 2.5
+#define CELL_MM 2.0
+/* Bounds on the work: looks at letters for one line, and for all. Beyond, lines are left as they are. */
+#define MAX_LOOKS 20000
+#define MAX_LOOKS_OF_ALL 2e8
+
+typedef struct {
+    double from, to; /* parameters along the line, 0 to 1 */
+} run;
+
+typedef struct {
+    point a, b;
+    size_t stroke;
+} letter_line;
+
+typedef struct {
+    const stroke_list *list;
+    stroke_list made;
+    double reach, shortest; /* mm */
+    double looks;
+    grid where;
+    ARRAY(letter_line) lines;
+    ARRAY(run) runs; /* of the hatch line at work, that are too near */
+} clearing;
+
+static void widen(run *r, double t)
+{
+    r->from = fmin(r->from, t);
+    r->to = fmax(r->to, t);
+}
+
+/* Where the line from a, `d` long, passes through the disc about c. */
+static void cross_disc(point a, point d, point c, double radius, run *r)
+{
+    point m = point_sub(a, c);
+    double dd = point_dot(d, d), half = point_dot(m, d), root = half * half - dd * (point_dot(m, m) - radius * radius);
+    if (root <= 0)
+        return;
+    widen(r, (-half - sqrt(root)) / dd);
+    widen(r, (-half + sqrt(root)) / dd);
+}
+
+/* … and through the band of `radius` to both sides of the segment. */
+static void cross_band(point a, point d, const letter_line *l, double radius, run *r)
+{
+    point e = point_sub(l->b, l->a), m = point_sub(a, l->a);
+    double length = plb_point_length(e), from = -INFINITY, to = INFINITY;
+    point along = point_scale(e, 1 / length);
+    double at[2] = {point_dot(along, m), point_cross(along, m)}, step[2] = {point_dot(along, d), point_cross(along, d)};
+    double low[2] = {0, -radius}, high[2] = {length, radius};
+    for (int k = 0; k < 2; k++) {
+        if (fabs(step[k]) < 1e-12) {
+            if (at[k] < low[k] || at[k] > high[k])
+                return;
+            continue;
+        }
+        double t0 = (low[k] - at[k]) / step[k], t1 = (high[k] - at[k]) / step[k];
+        from = fmax(from, fmin(t0, t1));
+        to = fmin(to, fmax(t0, t1));
+    }
+    if (from < to) {
+        widen(r, from);
+        widen(r, to);
+    }
+}
+
+static bool put_letter(clearing *c, size_t i)
+{
+    const stroke *s = &c->list->strokes.v[i];
+    const point *v = c->list->points.v + s->first;
+    for (size_t k = 1; k < s->n; k++) {
+        letter_line l = {v[k - 1], v[k], i};
+        int64_t column, row;
+        if (!array_push(&c->lines, l))
+            return false;
+        grid_walk w = plb_grid_walk(&c->where, l.a, l.b, 0);
+        while (plb_grid_step(&w, &column, &row))
+            if (!plb_grid_put(&c->where, column, row, (uint32_t)(c->lines.n - 1)))
+                return false;
+    }
+    return true;
+}
+
+/* Collects what is too near to later letters. */
+static bool find_runs(clearing *c, size_t i, point a, point b)
+{
+    point d = point_sub(b, a);
+    int64_t column, row;
+    grid_walk w = plb_grid_walk(&c->where, a, b, c->reach);
+    size_t looks = 0;
+    while (looks < MAX_LOOKS && plb_grid_step(&w, &column, &row))
+        for (uint32_t k = plb_grid_first(&c->where, column, row); k != GRID_END && looks < MAX_LOOKS; k = c->where.entries.v[k].next) {
+            const letter_line *l = &c->lines.v[c->where.entries.v[k].value];
+            run r = {INFINITY, -INFINITY};
+            looks++;
+            if (l->stroke < i)
+                continue;
+            cross_disc(a, d, l->a, c->reach, &r);
+            cross_disc(a, d, l->b, c->reach, &r);
+            cross_band(a, d, l, c->reach, &r);
+            if (r.from < 1 && r.to > 0 && !array_push(&c->runs, r))
+                return false;
+        }
+    c->looks += (double)looks;
+    return true;
+}
+
+static int compare_runs(const void *a, const void *b)
+{
+    const run *x = a, *y = b;
+    return (x->from > y->from) - (x->from < y->from);
+}
+
+/* Sends what is left between the runs. */
+static bool send_pieces(clearing *c, const stroke *s, point a, point b)
+{
+    double length = plb_point_distance(a, b), at = 0;
+    qsort(c->runs.v, c->runs.n, sizeof *c->runs.v, compare_runs);
+    for (size_t k = 0; k <= c->runs.n; k++) {
+        double to = k < c->runs.n ? c->runs.v[k].from : 1;
+        point ends[2] = {point_mix(a, b, at), point_mix(a, b, fmin(to, 1))};
+        if ((to - at) * length >= c->shortest && !plb_plan_append(&c->made, s, ends, 2))
+            return false;
+        at = k < c->runs.n ? fmax(at, c->runs.v[k].to) : 1;
+    }
+    return true;
+}
+
+static bool clear_stroke(clearing *c, size_t i)
+{
+    const stroke *s = &c->list->strokes.v[i];
+    const point *v = c->list->points.v + s->first;
+    c->runs.n = 0;
+    if (s->style.kind == STROKE_HATCH && s->n == 2 && c->looks < MAX_LOOKS_OF_ALL && !find_runs(c, i, v[0], v[1]))
+        return false;
+    return c->runs.n ? send_pieces(c, s, v[0], v[1]) : plb_plan_append(&c->made, s, v, s->n);
+}
+
+bool plb_plan_clearance(stroke_list *list, double width, error *err)
+{
+    size_t hatches = 0, letters = 0;
+    for (size_t i = 0; i < list->strokes.n; i++) {
+        letters += list->strokes.v[i].style.kind == STROKE_LETTER && hatches > 0;
+        hatches += list->strokes.v[i].style.kind == STROKE_HATCH;
+    }
+    if (letters == 0)
+        return true;
+    clearing c = {.list = list, .made = {.width = list->width, .height = list->height}, .reach = width + CLEAR_MM, .shortest = SHORTEST_WIDTHS * width};
+    bool ok = plb_grid_init(&c.where, CELL_MM, 8 * letters);
+    for (size_t i = 0; ok && i < list->strokes.n; i++)
+        ok = list->strokes.v[i].style.kind != STROKE_LETTER || put_letter(&c, i);
+    for (size_t i = 0; ok && i < list->strokes.n; i++)
+        ok = clear_stroke(&c, i);
+    plb_grid_free(&c.where);
+    array_free(&c.lines);
+    array_free(&c.runs);
+    plb_plan_replace(list, &c.made);
+    return ok || plb_fail_memory(err);
+}

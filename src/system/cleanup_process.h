@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A process that cleans up behind this one, however it ends: by a signal that nobody can catch, too.
+ */
+#ifndef PLB_SYSTEM_CLEANUP_PROCESS_H
+#define PLB_SYSTEM_CLEANUP_PROCESS_H
+
+#include <stdbool.h>
+#include <sys/types.h>
+
+typedef struct {
+    int line; /* to the cleanup_process; it breaks when this process ends */
+    pid_t pid;
+} cleanup_process;
+
+/* What is kept: a file or a folder of some name. Both are called in a process that is forked from one that may have threads,
+ * so they may call nothing that takes a lock. */
+typedef struct {
+    bool (*make)(const char *path); /* false and errno when it cannot be made */
+    void (*remove)(const char *path);
+} keeper_task;
+
+/* Starts a cleanup_process, which makes the thing and removes it when this process has gone: at no time is it there without a cleanup_process.
+ * False and errno when it cannot be made; then there is no cleanup_process. `path` may change afterwards. */
+bool plb_cleanup_process_start(cleanup_process *k, const keeper_task *task, const char *path);
+/* Ends it and waits for that; with `must_remove` the thing is removed before. */
+void plb_cleanup_process_end(cleanup_process *k, bool must_remove);
+
+#endif

@@ -1,0 +1,253 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * See output.h. O_TMPFILE is Linux's; elsewhere, and on file systems without it, a named temporary file serves.
+ */
+#define _GNU_SOURCE /* O_TMPFILE */
+#include "system/output.h"
+
+#include "base/array.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <limits.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+const char *plb_output_shown(const char *file)
+{
+    return strcmp(file, "-") ? file : "standard output";
+}
+
+static bool fail(error *err, const char *file, const char *what, int reason)
+{
+    return plb_fail(err, ERROR_FILE, "%s: %s: %s", file, what, strerror(reason));
+}
+
+static char *join(const char *a, const char *b)
+{
+    size_t n = strlen(a) + strlen(b) + 1;
+    char *r = plb_new(n, 1);
+    if (r)
+        snprintf(r, n, "%s%s", a, b);
+    return r;
+}
+
+/* The folder that `name` lies in, as "FOLDER/" or "". The caller frees. */
+static char *folder_of(const char *name)
+{
+    char *folder = join(name, "");
+    char *slash = folder ? strrchr(folder, '/') : NULL;
+    if (slash)
+        slash[1] = '\0';
+    else if (folder)
+        folder[0] = '\0';
+    return folder;
+}
+
+#define MAX_LINKS 40 /* one after the other; as the kernel */
+
+/* What `file` is the name of, through links, also when that is not there yet. NULL and errno on failure. The caller frees. */
+static char *follow(const char *file)
+{
+    char *name = join(file, "");
+    for (int i = 0; name && i < MAX_LINKS; i++) {
+        char target[PATH_MAX];
+        ssize_t n = readlink(name, target, sizeof target - 1);
+        if (n < 0)
+            return name;
+        target[n] = '\0';
+        char *folder = target[0] == '/' ? join("", "") : folder_of(name), *next = folder ? join(folder, target) : NULL;
+        plb_free(folder);
+        plb_free(name);
+        name = next;
+    }
+    errno = name ? ELOOP : ENOMEM;
+    plb_free(name);
+    return NULL;
+}
+
+/* The folder's try-th temporary name of this process. The caller frees. */
+static char *temporary_name(const char *folder, unsigned try)
+{
+    char suffix[48];
+    snprintf(suffix, sizeof suffix, ".plumbago-%ld-%u", (long)getpid(), try);
+    return join(folder, suffix);
+}
+
+/* More tries than that would be a folder full of our own leftovers. */
+#define MAX_TRIES 1000
+
+static bool make_file(const char *name)
+{
+    int fd = open(name, O_CREAT | O_EXCL | O_WRONLY, 0666);
+    return fd >= 0 && close(fd) == 0;
+}
+static void remove_file(const char *name) { unlink(name); }
+
+/* A cleanup_process makes it, we write into it. */
+static int open_kept(output *out)
+{
+    static const keeper_task task = {make_file, remove_file};
+    out->is_kept = plb_cleanup_process_start(&out->cleanup_process, &task, out->temporary);
+    if (!out->is_kept)
+        return -1;
+    int fd = open(out->temporary, O_WRONLY | O_NOFOLLOW | O_CLOEXEC), reason = errno;
+    if (fd < 0) {
+        plb_cleanup_process_end(&out->cleanup_process, true);
+        out->is_kept = false;
+        errno = reason;
+    }
+    return fd;
+}
+
+static int open_named(output *out, const char *folder)
+{
+    for (unsigned try = 0; try < MAX_TRIES; try++) {
+        out->temporary = temporary_name(folder, try);
+        int fd = out->temporary ? open_kept(out) : -1;
+        if (fd >= 0)
+            return fd;
+        plb_free(out->temporary);
+        out->temporary = NULL;
+        if (errno != EEXIST)
+            break;
+    }
+    return -1;
+}
+
+static int open_nameless(const char *folder)
+{
+#ifdef O_TMPFILE
+    if (access("/proc/self/fd", X_OK) != 0) /* without it the file could not be given a name */
+        return -1;
+    return open(*folder ? folder : ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+#else
+    (void)folder;
+    return -1;
+#endif
+}
+
+static bool open_beside(output *out, error *err)
+{
+    char *folder = folder_of(out->name);
+    if (!folder)
+        return plb_fail_memory(err);
+    int fd = open_nameless(folder);
+    if (fd < 0)
+        fd = open_named(out, folder);
+    out->to = fd < 0 ? NULL : fdopen(fd, "wb");
+    int reason = errno;
+    plb_free(folder);
+    if (out->to)
+        return true;
+    if (fd >= 0)
+        close(fd);
+    return fail(err, out->asked, "cannot be written", reason);
+}
+
+static bool open_direct(output *out, error *err)
+{
+    int fd = strcmp(out->asked, "-") ? open(out->asked, O_WRONLY | O_CLOEXEC) : dup(STDOUT_FILENO);
+    out->to = fd < 0 ? NULL : fdopen(fd, "wb");
+    if (out->to)
+        return true;
+    int reason = errno;
+    if (fd >= 0)
+        close(fd);
+    return fail(err, plb_output_shown(out->asked), "cannot be written", reason);
+}
+
+bool plb_output_open(output *out, const char *file, error *err)
+{
+    struct stat st;
+    memset(out, 0, sizeof *out);
+    out->asked = file;
+    bool there = strcmp(file, "-") && stat(file, &st) == 0;
+    if (!strcmp(file, "-") || (there && !S_ISREG(st.st_mode) && !S_ISDIR(st.st_mode)))
+        return open_direct(out, err);
+    if (there && S_ISDIR(st.st_mode))
+        return fail(err, file, "cannot be written", EISDIR);
+    out->name = follow(file);
+    if (!out->name)
+        return errno == ENOMEM ? plb_fail_memory(err) : fail(err, file, "cannot be written", errno);
+    if (open_beside(out, err))
+        return true;
+    plb_output_discard(out);
+    return false;
+}
+
+/* Gives a nameless file its name; one that is in the way is replaced in one step. */
+static bool give_name(output *out)
+{
+    char self[64];
+    snprintf(self, sizeof self, "/proc/self/fd/%d", fileno(out->to));
+    if (linkat(AT_FDCWD, self, AT_FDCWD, out->name, AT_SYMLINK_FOLLOW) == 0)
+        return true;
+    if (errno != EEXIST)
+        return false;
+    char *folder = folder_of(out->name);
+    for (unsigned try = 0; folder && try < MAX_TRIES; try++) {
+        out->temporary = temporary_name(folder, try);
+        if (out->temporary && linkat(AT_FDCWD, self, AT_FDCWD, out->temporary, AT_SYMLINK_FOLLOW) == 0)
+            break;
+        plb_free(out->temporary);
+        out->temporary = NULL;
+    }
+    plb_free(folder);
+    return out->temporary != NULL;
+}
+
+/* The name that it has meanwhile becomes the one that was asked for. */
+static bool rename_it(output *out)
+{
+    if (out->temporary && rename(out->temporary, out->name) != 0)
+        return false;
+    plb_free(out->temporary);
+    out->temporary = NULL;
+    return true;
+}
+
+static bool close_it(output *out)
+{
+    bool ok = fclose(out->to) == 0;
+    out->to = NULL;
+    return ok;
+}
+
+/* Between link and rename no signal may end us: the name in between has no cleanup_process. */
+static void hold_signals(sigset_t *before)
+{
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, before);
+}
+
+bool plb_output_commit(output *out, error *err)
+{
+    sigset_t before;
+    bool ok = fflush(out->to) == 0 && !ferror(out->to);
+    hold_signals(&before);
+    ok = ok && (!out->name || out->temporary || give_name(out)) && close_it(out) && rename_it(out);
+    int reason = errno;
+    if (!ok)
+        fail(err, plb_output_shown(out->asked), "cannot be written", reason);
+    plb_output_discard(out);
+    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    return ok;
+}
+
+void plb_output_discard(output *out)
+{
+    if (out->to)
+        fclose(out->to);
+    if (out->temporary)
+        unlink(out->temporary);
+    if (out->is_kept)
+        plb_cleanup_process_end(&out->cleanup_process, false);
+    plb_free(out->temporary);
+    plb_free(out->name);
+    memset(out, 0, sizeof *out);
+}

@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A file that appears complete or not at all. It is written without a name where the file system can do that (so
+ * that even a killed process leaves nothing behind), else under a temporary one beside its place, with a cleanup_process who
+ * removes it when this process is killed, and gets its name by link or rename when it is done. Standard output and things that are not regular files are written directly.
+ */
+#ifndef PLB_SYSTEM_OUTPUT_H
+#define PLB_SYSTEM_OUTPUT_H
+
+#include "base/error.h"
+#include "system/cleanup_process.h"
+
+#include <stdio.h>
+
+typedef struct {
+    FILE *to;       /* write here */
+    char *name;     /* where it will appear; NULL: written directly */
+    char *temporary; /* its name meanwhile; NULL: none */
+    cleanup_process cleanup_process;   /* of the temporary name */
+    bool is_kept;
+    const char *asked; /* as the caller wrote it, for messages */
+} output;
+
+/* A file's name as messages show it. */
+const char *plb_output_shown(const char *file);
+
+/* Opens; `file` "-" is standard output and must outlive the output. False and `err` on failure. */
+bool plb_output_open(output *out, const char *file, error *err);
+/* Closes and gives the file its name. False and `err` when anything could not be written; nothing is left then. */
+bool plb_output_commit(output *out, error *err);
+/* Closes and forgets. */
+void plb_output_discard(output *out);
+
+#endif

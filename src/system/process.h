@@ -1,0 +1,66 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Foreign code in a process of its own: bytes in on descriptor 0, bytes out from descriptor 1 while it runs, limits
+ * on its time and memory, a cage (sandbox.h), and an end in every case.
+ */
+#ifndef PLB_SYSTEM_PROCESS_H
+#define PLB_SYSTEM_PROCESS_H
+
+#include "base/error.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <sys/types.h>
+
+/* What a process may use. */
+typedef struct {
+    double seconds; /* of processor time; by the clock three times as many in silence (neither bytes taken nor given), ten
+                       times as many in all */
+    double *spent;  /* processor time that other processes for the same drawing have taken out of `seconds`; this one's is
+                       added. Each gets a second, whatever is left. NULL: it has all for itself */
+    size_t memory;  /* bytes of address space */
+    const char *scratch; /* a folder in which it may write files, of PROCESS_SCRATCH_BYTES each; NULL: it writes nowhere */
+    bool loose;          /* no cage, only limits; for our tests' own programs */
+} process_limits;
+#define PROCESS_SCRATCH_BYTES ((size_t)256 << 20)
+#define PROCESS_LIMITS ((process_limits){.seconds = 8, .memory = (size_t)1 << 30})
+
+typedef enum {
+    PROCESS_RUNNING,
+    PROCESS_EXITED,   /* by itself; `code` is its exit status */
+    PROCESS_CRASHED,  /* by signal `code` */
+    PROCESS_TIMED_OUT /* used its CPU time up, or was silent for too long */
+} process_end;
+
+typedef struct {
+    pid_t pid;
+    int in, out, err; /* our ends; -1: closed */
+    const char *input; /* not yet taken */
+    size_t input_left;
+    char *buffer;      /* of what plb_process_read gives */
+    process_end end;
+    int code;
+    char message[1024]; /* the first bytes that it wrote to its standard error; a string */
+    size_t message_length;
+    process_limits limits;
+    double killed_at; /* by the clock */
+    const char *cage;  /* what holds it: plb_sandbox_name */
+} process;
+
+/* Starts `program` with arguments argv[0..], NULL-terminated, and `size` bytes of input, which must live until the
+ * end; `limits` may be NULL. False and `err` when it cannot be started; then there is nothing to finish. */
+bool plb_process_start(process *p, const char *program, const char *const argv[], const char *input, size_t size,
+                       const process_limits *limits, error *err);
+/* Waits for more of its output. False at the end of the output. The bytes live until the next call. */
+bool plb_process_read(process *p, const char **data, size_t *size);
+/* Ends it (by force, if its output was not read to the end), reaps it and fills `end` and `code`. */
+void plb_process_finish(process *p);
+
+/* The path of helper program `name` into `path`: in `helper_dir` if given, else beside the running program, else in
+ * libexec/plumbago near it, else in the place it was installed to. False and ERROR_HELPER when there is none. */
+#define PROCESS_PATH_MAX 4096
+bool plb_process_find(const char *helper_dir, const char *name, char path[PROCESS_PATH_MAX], error *err);
+/* The path of a program that the system has, by the user's PATH; false when there is none. */
+bool plb_process_find_installed(const char *name, char path[PROCESS_PATH_MAX]);
+
+#endif

@@ -1,0 +1,227 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Counts what is left out as a reader sees the drawing: definitions count where they are used and as often, a picture
+ * that serves as a mask counts as the mask, and a mask upon nothing but a picture does not count beside it.
+ */
+#include "tap/common/tap_omissions.h"
+
+#include "tap/common/tap_page.h"
+
+#include <glib.h>
+#include <libxml/parser.h>
+#include <libxml/tree.h>
+
+#include <stdbool.h>
+#include <string.h>
+
+/* librsvg stops beyond 500,000 elements; its documents are no deeper than a few hundred. */
+#define MAX_VISITS 1000000ul
+#define DEEPEST 1000
+
+typedef struct {
+    tap_omissions lost;
+    GHashTable *by_id; /* of names to nodes, both the document's */
+    unsigned long visits;
+} walk;
+
+static bool is(const xmlNode *n, const char *name) { return n->type == XML_ELEMENT_NODE && !strcmp((const char *)n->name, name); }
+
+static bool is_any(const xmlNode *n, const char *const names[])
+{
+    while (*names && !is(n, *names))
+        names++;
+    return *names != NULL;
+}
+
+static const xmlAttr *attribute(const xmlNode *n, const char *name)
+{
+    const xmlAttr *a = n->properties;
+    while (a && strcmp((const char *)a->name, name) != 0)
+        a = a->next;
+    return a;
+}
+
+/* Its text, to be freed with xmlFree; NULL: none. */
+static char *value(const xmlNode *n, const char *name)
+{
+    const xmlAttr *a = attribute(n, name);
+    return a ? (char *)xmlNodeListGetString(n->doc, a->children, 1) : NULL;
+}
+
+/* The declaration of a property in a style attribute: where its value starts; NULL: not there. */
+static char *declared(char *style, const char *property)
+{
+    size_t n = strlen(property);
+    for (char *at = style; at; at = strchr(at, ';')) {
+        at += strspn(at, "; \t\r\n");
+        if (!strncmp(at, property, n) && at[n + strspn(at + n, " \t")] == ':')
+            return strchr(at, ':') + 1;
+    }
+    return NULL;
+}
+
+/* The value of a property, by style or attribute; to be freed; NULL: not said. */
+static char *property(const xmlNode *n, const char *name)
+{
+    char *style = value(n, "style"), *at = style ? declared(style, name) : NULL;
+    char *result = at ? g_strndup(at + strspn(at, " \t\r\n"), strcspn(at + strspn(at, " \t\r\n"), ";")) : NULL;
+    char *plain = result ? NULL : value(n, name);
+    if (plain)
+        result = g_strdup(plain);
+    xmlFree(style);
+    xmlFree(plain);
+    return result;
+}
+
+/* What "#name", or the name in "url(#name)", stands for. */
+static xmlNode *referred(const walk *w, const char *text)
+{
+    const char *hash = text ? strchr(text, '#') : NULL;
+    if (!hash)
+        return NULL;
+    char *name = g_strndup(hash + 1, strcspn(hash + 1, ")'\" \t\r\n"));
+    xmlNode *n = g_hash_table_lookup(w->by_id, name);
+    g_free(name);
+    return n;
+}
+
+/* Has it a mask or a filter (`kind`) that is there? */
+static bool has(const walk *w, const xmlNode *n, const char *kind)
+{
+    char *text = property(n, kind);
+    const xmlNode *target = text && !strncmp(text, "url", 3) ? referred(w, text) : NULL;
+    g_free(text);
+    return target && is(target, kind);
+}
+
+static bool is_displayed(const xmlNode *n)
+{
+    char *text = property(n, "display");
+    bool shown = !text || strncmp(text, "none", 4) != 0;
+    g_free(text);
+    return shown;
+}
+
+/* Would a switch pass it over, asking for what librsvg has not? */
+static bool is_passed_over(const xmlNode *n)
+{
+    char *features = value(n, "requiredFeatures"), *extensions = value(n, "requiredExtensions");
+    bool passed = (features && strstr(features, "Extensibility")) || extensions;
+    xmlFree(features);
+    xmlFree(extensions);
+    return n->type != XML_ELEMENT_NODE || passed;
+}
+
+static bool visit(walk *w, xmlNode *n, int depth);
+
+static bool visit_children(walk *w, xmlNode *n, int depth)
+{
+    bool shows = false, one = is(n, "switch");
+    for (xmlNode *c = n->children; c; c = c->next) {
+        if (is_passed_over(c))
+            continue;
+        shows = visit(w, c, depth + 1) || shows;
+        if (one)
+            break;
+    }
+    return shows;
+}
+
+static bool visit_used(walk *w, const xmlNode *n, int depth)
+{
+    char *href = value(n, "href");
+    xmlNode *target = referred(w, href);
+    xmlFree(href);
+    if (!target)
+        return false;
+    return is(target, "symbol") ? visit_children(w, target, depth + 1) : visit(w, target, depth + 1);
+}
+
+/* The element without its own mask and filter. */
+static bool visit_inside(walk *w, xmlNode *n, int depth)
+{
+    static const char *const groups[] = {"svg", "g", "a", "switch", NULL};
+    if (is(n, "image"))
+        w->lost.images++;
+    else if (is(n, "foreignObject"))
+        w->lost.foreign++;
+    else if (is(n, "use"))
+        return visit_used(w, n, depth);
+    else
+        return !is_any(n, groups) || visit_children(w, n, depth);
+    return false;
+}
+
+/* Counts the omissions in what is drawn for `n`; true: something is drawn all the same. */
+static bool visit(walk *w, xmlNode *n, int depth)
+{
+    static const char *const unseen[] = {"defs", "symbol", "clipPath", "mask", "pattern", "marker", "filter", "linearGradient",
+                                         "radialGradient", "style", "script", "title", "desc", "metadata", "namedview", NULL};
+    if (depth > DEEPEST || ++w->visits > MAX_VISITS || n->type != XML_ELEMENT_NODE || is_any(n, unseen) || !is_displayed(n))
+        return false;
+    if (!visit_inside(w, n, depth))
+        return false;
+    w->lost.masks += has(w, n, "mask");
+    w->lost.filters += has(w, n, "filter");
+    return true;
+}
+
+/* How often a style sheet has "property:url" or "property: url". */
+static unsigned long rules(const char *sheet, const char *property)
+{
+    unsigned long n = 0;
+    for (const char *at = sheet; (at = strstr(at, property));) {
+        at += strlen(property);
+        const char *text = at + strspn(at, " \t");
+        n += *text == ':' && !strncmp(text + 1 + strspn(text + 1, " \t"), "url", 3);
+    }
+    return n;
+}
+
+static xmlNode *next_node(xmlNode *n)
+{
+    if (n->type == XML_ELEMENT_NODE && n->children)
+        return n->children;
+    while (n && !n->next)
+        n = n->parent;
+    return n ? n->next : NULL;
+}
+
+/* Names and style sheets; a rule counts once, whatever it applies to. */
+static void look_through(walk *w, xmlDoc *doc)
+{
+    for (xmlNode *n = xmlDocGetRootElement(doc); n; n = next_node(n)) {
+        if (n->type != XML_ELEMENT_NODE)
+            continue;
+        char *id = value(n, "id");
+        if (id && !g_hash_table_contains(w->by_id, id))
+            g_hash_table_insert(w->by_id, g_strdup(id), n);
+        xmlFree(id);
+        char *sheet = is(n, "style") ? (char *)xmlNodeGetContent(n) : NULL;
+        w->lost.masks += sheet ? rules(sheet, "mask") : 0;
+        w->lost.filters += sheet ? rules(sheet, "filter") : 0;
+        xmlFree(sheet);
+    }
+}
+
+static bool may_lose(const char *text, size_t size)
+{
+    return g_strstr_len(text, (gssize)size, "image") || g_strstr_len(text, (gssize)size, "mask") ||
+           g_strstr_len(text, (gssize)size, "filter") || g_strstr_len(text, (gssize)size, "foreignObject");
+}
+
+tap_omissions plb_tap_count_omissions(const char *text, size_t size)
+{
+    walk w = {.visits = 0};
+    int how = XML_PARSE_RECOVER | XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | (size > TAP_LIBXML_TEXT ? XML_PARSE_HUGE : 0);
+    xmlDoc *doc = may_lose(text, size) ? xmlReadMemory(text, (int)size, NULL, NULL, how) : NULL;
+    if (!doc)
+        return w.lost;
+    w.by_id = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
+    look_through(&w, doc);
+    if (xmlDocGetRootElement(doc))
+        visit(&w, xmlDocGetRootElement(doc), 0);
+    g_hash_table_destroy(w.by_id);
+    xmlFreeDoc(doc);
+    return w.lost;
+}

@@ -1,0 +1,135 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * PostScript pages: showpage ends the reading, setpagedevice and the names of paper sizes say how large the page is
+ * (PLRM, section 6).
+ */
+#include "tap/ps/ps.h"
+
+#include <string.h>
+
+bool plb_ps_set_page_size(ps *p, double width, double height)
+{
+    if (!(width >= 1 && width <= PS_MAX_PAGE_POINTS && height >= 1 && height <= PS_MAX_PAGE_POINTS))
+        return plb_ps_raise(p, PS_RANGECHECK);
+    p->page_width = width;
+    p->page_height = height;
+    p->page_size_said = true;
+    return true;
+}
+
+/* The items alone: saved graphics states may name the clips. */
+static void clear_page(ps *p)
+{
+    for (size_t i = 0; i < p->list->items.n; i++)
+        plb_item_free(&p->list->items.v[i]);
+    p->list->items.n = 0;
+}
+
+bool plb_ps_page_has_something(const ps *p)
+{
+    const unsigned long *lost = p->list->omissions.n;
+    return p->list->items.n || lost[OMISSION_IMAGE] || lost[OMISSION_TEXT] || lost[OMISSION_PIXEL_TEXT];
+}
+
+/* Pages that have something on them count; the one that is wanted ends the reading. */
+static bool op_showpage(ps *p)
+{
+    p->sheets++;
+    p->page += plb_ps_page_has_something(p);
+    if (p->page == p->page_wanted) {
+        p->finished = p->page_shown = true;
+        return true;
+    }
+    clear_page(p);
+    p->list->omissions = (omissions){.advice = NULL};
+    plb_ps_reset_graphics(p);
+    return true;
+}
+
+static bool op_copypage(ps *p)
+{
+    (void)p;
+    return true;
+}
+
+/* Paints the page white: what was drawn is gone. */
+static bool op_erasepage(ps *p)
+{
+    clear_page(p);
+    return true;
+}
+
+static bool op_setpagedevice(ps *p)
+{
+    ps_object dict = *ps_args(p, 1), *size = plb_ps_get_text(p, dict.as.dict, "PageSize");
+    if (size && size->type == PS_ARRAY && size->n == 2 && ps_is_number(size->as.array[0]) && ps_is_number(size->as.array[1]) &&
+        !plb_ps_set_page_size(p, ps_value(size->as.array[0]), ps_value(size->as.array[1])))
+        return false;
+    plb_ps_reset_graphics(p);
+    ps_drop(p, 1);
+    return true;
+}
+
+static bool put_pair(ps *p, ps_dict *d, const char *key, double a, double b)
+{
+    ps_object array;
+    if (!plb_ps_new_array(p, 2, &array))
+        return false;
+    array.as.array[0] = ps_real(a);
+    array.as.array[1] = ps_real(b);
+    return plb_ps_put_text(p, d, key, array);
+}
+
+static bool op_currentpagedevice(ps *p)
+{
+    ps_dict *d = plb_ps_new_dict(p, 8);
+    return d && put_pair(p, d, "PageSize", p->page_width, p->page_height) &&
+           put_pair(p, d, "HWResolution", 72 * PS_UNITS_PER_POINT, 72 * PS_UNITS_PER_POINT) &&
+           plb_ps_put_text(p, d, "ImagingBBox", ps_null()) && plb_ps_put_text(p, d, "Duplex", ps_boolean(false)) &&
+           plb_ps_put_text(p, d, "NumCopies", ps_null()) && plb_ps_push(p, ps_of_dict(d));
+}
+
+/* Paper sizes that are also operators, in points. */
+static const struct {
+    const char *name;
+    double width, height;
+} papers[] = {
+    {"letter", 612, 792}, {"lettersmall", 612, 792}, {"note", 612, 792}, {"legal", 612, 1008}, {"ledger", 1224, 792},
+    {"tabloid", 792, 1224}, {"11x17", 792, 1224}, {"a0", 2384, 3370}, {"a1", 1684, 2384}, {"a2", 1191, 1684},
+    {"a3", 842, 1191}, {"a4", 595, 842}, {"a4small", 595, 842}, {"a5", 420, 595}, {"a6", 298, 420}, {"b4", 709, 1001},
+    {"b5", 499, 709},
+};
+
+static bool op_paper(ps *p)
+{
+    for (size_t i = 0; i < sizeof papers / sizeof *papers; i++)
+        if (!strcmp(papers[i].name, p->op->name))
+            return plb_ps_set_page_size(p, papers[i].width, papers[i].height);
+    return true;
+}
+
+const ps_operator plb_ps_page_operators[] = {
+    {"showpage", "", op_showpage},
+    {"copypage", "", op_copypage},
+    {"erasepage", "", op_erasepage},
+    {"setpagedevice", "d", op_setpagedevice},
+    {"currentpagedevice", "", op_currentpagedevice},
+    {"letter", "", op_paper},
+    {"lettersmall", "", op_paper},
+    {"note", "", op_paper},
+    {"legal", "", op_paper},
+    {"ledger", "", op_paper},
+    {"tabloid", "", op_paper},
+    {"11x17", "", op_paper},
+    {"a0", "", op_paper},
+    {"a1", "", op_paper},
+    {"a2", "", op_paper},
+    {"a3", "", op_paper},
+    {"a4", "", op_paper},
+    {"a4small", "", op_paper},
+    {"a5", "", op_paper},
+    {"a6", "", op_paper},
+    {"b4", "", op_paper},
+    {"b5", "", op_paper},
+    {NULL, NULL, NULL},
+};
