@@ -121,6 +121,8 @@ static double asides(const hand *h, double along)
 {
     double u = h->backward ? 1 - along / h->length : along / h->length, to_last = h->length - along;
     double sum = h->lean * 6.75 * u * u * (1 - u) + h->drift * u * u * u;
+    if (!(h->hook_reach > 0)) /* no hooks: rounding may leave `along` beyond an end */
+        return sum;
     if (along < h->hook_reach)
         sum += h->hook_first * (1 - along / h->hook_reach) * (1 - along / h->hook_reach);
     if (to_last < h->hook_reach)

@@ -44,12 +44,6 @@ int plb_picture_rows(int width, const picture_options *o)
     return n < 1 ? 1 : (int)n;
 }
 
-bool plb_picture_put(picture *p, const void *data, size_t n)
-{
-    p->written += n;
-    return fwrite(data, 1, n, p->to) == n;
-}
-
 static bool put_data(picture *p, const void *data, size_t n)
 {
     p->data_size += n;

@@ -32,7 +32,11 @@ struct picture {
 };
 
 /* All return false when out of memory or when writing fails, which errno then tells. */
-bool plb_picture_put(picture *p, const void *data, size_t n);
+static inline bool picture_put(picture *p, const void *data, size_t n)
+{
+    p->written += n;
+    return fwrite(data, 1, n, p->to) == n;
+}
 
 bool plb_png_head(picture *p);
 bool plb_png_data(picture *p, const void *data, size_t n); /* some of the zlib stream */

@@ -25,7 +25,7 @@ static bool put(picture *p, const char *format, ...)
     va_start(args, format);
     int n = vsnprintf(text, sizeof text, format, args);
     va_end(args);
-    return n >= 0 && n < (int)sizeof text && plb_picture_put(p, text, (size_t)n);
+    return n >= 0 && n < (int)sizeof text && picture_put(p, text, (size_t)n);
 }
 
 static bool begin_object(picture *p, int number)
@@ -87,7 +87,7 @@ bool plb_pdf_head(picture *p)
 
 bool plb_pdf_data(picture *p, const void *data, size_t n)
 {
-    return plb_picture_put(p, data, n);
+    return picture_put(p, data, n);
 }
 
 bool plb_pdf_tail(picture *p)

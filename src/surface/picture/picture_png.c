@@ -19,10 +19,10 @@ static bool put_chunk(picture *p, const char type[4], const void *data, size_t n
     uint8_t word[4];
     uLong crc = crc32_z(crc32_z(0, (const Bytef *)type, 4), data, n);
     store32(word, (uint32_t)n);
-    if (!plb_picture_put(p, word, 4) || !plb_picture_put(p, type, 4) || !plb_picture_put(p, data, n))
+    if (!picture_put(p, word, 4) || !picture_put(p, type, 4) || !picture_put(p, data, n))
         return false;
     store32(word, (uint32_t)crc);
-    return plb_picture_put(p, word, 4);
+    return picture_put(p, word, 4);
 }
 
 static bool put_texts(picture *p, const char *const *pairs)
@@ -48,7 +48,7 @@ bool plb_png_head(picture *p)
     store32(physical, per_metre);
     store32(physical + 4, per_metre);
     physical[8] = 1; /* per metre */
-    return plb_picture_put(p, signature, sizeof signature) && put_chunk(p, "IHDR", head, sizeof head) &&
+    return picture_put(p, signature, sizeof signature) && put_chunk(p, "IHDR", head, sizeof head) &&
            put_chunk(p, "pHYs", physical, sizeof physical) && put_texts(p, p->o->text);
 }
 
