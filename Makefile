@@ -36,8 +36,7 @@ WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 # -ffp-contract=off: the same drawing from every compiler and level (no fused multiply-add). Nobody asks whether a root or a
 # division went wrong: the others let them stand in loops.
 CFLAGS_ALL = -std=c17 $(WARN) -fPIC -ffp-contract=off -fno-math-errno -fno-trapping-math -fvisibility=hidden -MMD -MP $(flags_$(BUILD)) \
-             -D_POSIX_C_SOURCE=200809L -DPLB_VERSION='"$(VERSION)"' -DPLB_LIBEXECDIR='"$(PREFIX)/libexec/plumbago"' \
-             -Isrc $(CFLAGS)
+             -D_POSIX_C_SOURCE=200809L -Isrc $(CFLAGS)
 # Position-independent programs whose tables of addresses are read-only before the first line runs, no code on the stack.
 LDFLAGS_release = -pie -Wl,-z,relro,-z,now,-z,noexecstack
 LDFLAGS_ALL = $(filter -fsanitize=% --coverage,$(flags_$(BUILD))) $(LDFLAGS_$(BUILD)) $(LDFLAGS)
@@ -70,16 +69,33 @@ tests_bin = $(c_tests:tests/%.c=$(O)/tests/%) $(c_tools:tests/%.c=$(O)/tests/%) 
 .PHONY: all
 all: $(programs) $(O)/libplumbago.a
 
-# The helper's installed place is compiled into one object: it is made again when PREFIX changes.
-$(O)/prefix: FORCE
-	@mkdir -p $(@D) && echo '$(PREFIX)' | cmp -s - $@ || echo '$(PREFIX)' > $@
+# A file that holds a text: $(call changed,FILE,TEXT) makes its rule run when the text is another one than the file's, and
+# $(call keep,TEXT) writes it. What depends on the file is then made again.
+quote = '$(subst ','"'"',$(strip $(1)))'
+changed = $(if $(subst <$(strip $(file <$(1)))>,,<$(strip $(2))>),FORCE)
+keep = @mkdir -p $(@D) && printf '%s\n' $(call quote,$(1)) >$@
 FORCE:
-$(O)/system/process.o: $(O)/prefix
 
-$(O)/%.o: src/%.c
+# Every object depends on the compiler, its version and the flags. Where a library is missing, this first rule says how to get it.
+needed = $(packages_lib) $(packages_tap) $(packages_plain)
+flags_now := $(CC) $(shell $(CC) -dumpfullversion -dumpversion 2>/dev/null) $(CFLAGS_ALL) $(CFLAGS_stroke) $(LDFLAGS_ALL)
+$(O)/flags: $(call changed,$(O)/flags,$(flags_now))
+	@$(CC) --version >/dev/null 2>&1 && pkg-config --exists $(needed) || { tests/packages --say $(packages_build); exit 1; }
+	$(call keep,$(flags_now))
+# The version and the installed place of the taps are compiled into one object each, which alone is made again when they change.
+$(O)/version: $(call changed,$(O)/version,$(VERSION))
+	$(call keep,$(VERSION))
+$(O)/prefix: $(call changed,$(O)/prefix,$(PREFIX))
+	$(call keep,$(PREFIX))
+$(O)/api/api_internal.o: $(O)/version
+$(O)/api/api_internal.o: DEFINES = -DPLB_VERSION='"$(VERSION)"'
+$(O)/system/process.o: $(O)/prefix
+$(O)/system/process.o: DEFINES = -DPLB_LIBEXECDIR='"$(PREFIX)/libexec/plumbago"'
+
+$(O)/%.o: src/%.c $(O)/flags
 	$(say) CC $<
 	@mkdir -p $(@D)
-	$(Q)$(CC) $(CFLAGS_ALL) $(CFLAGS_$(word 2,$(subst /, ,$<))) $(shell pkg-config --cflags $(packages_lib)) -c $< -o $@
+	$(Q)$(CC) $(CFLAGS_ALL) $(CFLAGS_$(word 2,$(subst /, ,$<))) $(DEFINES) $(shell pkg-config --cflags $(packages_lib)) -c $< -o $@
 
 # The eight pencils are part of the library: their files as one object, no code in between.
 $(O)/pencils.o: $(pencils)
@@ -87,9 +103,12 @@ $(O)/pencils.o: $(pencils)
 	@mkdir -p $(@D)
 	$(Q)cd profiles && ld -r -b binary -z noexecstack -o "$(CURDIR)/$@" $(sort $(notdir $(pencils)))
 
-$(O)/libplumbago.a: $(lib_obj) $(O)/pencils.o
+# A source that is gone leaves the library, too.
+$(O)/objects: $(call changed,$(O)/objects,$(lib_obj))
+	$(call keep,$(lib_obj))
+$(O)/libplumbago.a: $(lib_obj) $(O)/pencils.o $(O)/objects
 	$(say) AR $@
-	$(Q)rm -f $@ && $(AR) rcs $@ $^
+	$(Q)rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 
 $(O)/plumbago: $(O)/tool/plumbago.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/tool/pages.o $(O)/tool/naming.o $(O)/libplumbago.a
 $(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/libplumbago.a
@@ -98,12 +117,9 @@ $(O)/plumbago $(O)/plumbago-profile:
 	$(Q)$(CC) $(LDFLAGS_ALL) $^ $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
 
 # The taps include nothing of ours; the one links librsvg, the other libxml2 alone, which starts in a fifth of the time.
-# They are made again when flags change.
 plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain/plain_*.c)) $(O)/tap/common/tap_page.o
 tap_obj = $(patsubst src/%.c,$(O)/%.o,$(filter-out $(reader_src),$(call below,src/tap,*.c)))
-$(O)/tap-flags: FORCE
-	@mkdir -p $(@D) && echo '$(CC) $(CFLAGS_ALL) $(CFLAGS_tap) $(LDFLAGS_ALL)' | cmp -s - $@ || echo '$(CC) $(CFLAGS_ALL) $(CFLAGS_tap) $(LDFLAGS_ALL)' > $@
-$(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/tap-flags
+$(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/flags
 	$(say) CC $<
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS_ALL) $(CFLAGS_tap) $(shell pkg-config --cflags $(packages_tap)) -c $< -o $@
