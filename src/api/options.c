@@ -2,7 +2,7 @@
  *
  * Defaults of the drawing options, their check, and what they mean for the plan.
  */
-#include "api/drawing.h"
+#include "api/pipeline.h"
 
 #include "system/thread_team.h"
 #include "system/process.h"

@@ -4,7 +4,7 @@
  * time is shared by the stages, and how far that is from the cost of writing the strokes' pixels once, measured in the
  * same run. Times are CPU time of this thread; the best of three rounds counts.
  */
-#include "api/drawing.h"
+#include "api/pipeline.h"
 #include "base/number/random.h"
 #include "base/number/units.h"
 #include "surface/page.h"

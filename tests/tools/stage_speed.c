@@ -7,7 +7,7 @@
  * tap: the processes that read foreign formats; read: what they say, into the display list; texture: graphite along the
  * paths; lay: mapping it and adding it to the page; png: the page as bytes, compressed. Medians of ROUNDS.
  */
-#include "api/render.h"
+#include "api/render/render.h"
 #include "base/number/units.h"
 #include "input/input.h"
 #include "surface/picture/picture.h"

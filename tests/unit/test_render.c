@@ -4,7 +4,7 @@
  */
 #include "check.h"
 
-#include "api/render.h"
+#include "api/render/render.h"
 #include "base/number/random.h"
 #include "surface/picture/picture.h"
 

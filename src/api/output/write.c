@@ -2,7 +2,7 @@
  *
  * The drawn page as a file or as the caller's cairo surface.
  */
-#include "api/render.h"
+#include "api/render/render.h"
 
 #include "system/output.h"
 #include "surface/picture/picture.h"

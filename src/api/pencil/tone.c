@@ -3,7 +3,7 @@
  * The scale of tones: see tone.h. A swatch is planned and drawn as any fill is, once for each of the techniques from
  * faint to dark, and its mean darkness read in the middle. So a tone is met with any pencil, paper, pressure or model.
  */
-#include "api/tone.h"
+#include "api/pencil/tone.h"
 
 #include "base/number/units.h"
 #include "plan/hatch/hatch.h"

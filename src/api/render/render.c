@@ -3,9 +3,9 @@
  * See render.h. All threads draw on one band at a time: they take its strokes batch by batch and lay their patches on
  * it; deposits add up to the same whatever the order.
  */
-#include "api/render.h"
+#include "api/render/render.h"
 
-#include "api/bands.h"
+#include "api/render/bands.h"
 #include "base/array.h"
 #include "system/thread_team.h"
 #include "base/number/units.h"

@@ -2,9 +2,9 @@
  *
  * From a file's bytes to strokes: read, fit to the page, plan.
  */
-#include "api/drawing.h"
+#include "api/pipeline.h"
 
-#include "api/tone.h"
+#include "api/pencil/tone.h"
 #include "base/array.h"
 #include "base/number/random.h"
 

@@ -2,7 +2,7 @@
  *
  * Files in memory and the pages in them.
  */
-#include "api/drawing.h"
+#include "api/pipeline.h"
 
 #include "base/array.h"
 

@@ -2,10 +2,10 @@
  *
  * How dark a pencil's hatching comes out, measured on the pencil: as one tries it on a scrap of paper.
  */
-#ifndef PLB_API_TONE_H
-#define PLB_API_TONE_H
+#ifndef PLB_API_PENCIL_TONE_H
+#define PLB_API_PENCIL_TONE_H
 
-#include "api/drawing.h"
+#include "api/pipeline.h"
 
 /* Whether the plan of this drawing will ask for tones. */
 bool plb_api_needs_tone(const display_list *list, const plan_options *how);

@@ -2,7 +2,7 @@
  *
  * See pencils.h.
  */
-#include "api/pencils.h"
+#include "api/pencil/pencils.h"
 
 #include "base/array.h"
 

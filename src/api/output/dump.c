@@ -2,7 +2,7 @@
  *
  * What the stages made, shown: the display list and the strokes as text, the paths and control points as a picture.
  */
-#include "api/drawing.h"
+#include "api/pipeline.h"
 
 #include "system/output.h"
 #include "surface/plot/controls.h"

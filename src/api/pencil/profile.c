@@ -4,7 +4,7 @@
  */
 #include "api/api_internal.h"
 #include "api/plumbago.h"
-#include "api/sample.h"
+#include "api/pencil/sample.h"
 #include "base/array.h"
 #include "base/number/units.h"
 #include "profile/profile.h"
@@ -25,6 +25,7 @@ static plb_profile *wrap(profile *p, error *failed, plb_error *to)
     pencil_rack *pencil_cache = out ? plb_api_rack_new() : NULL;
     if (pencil_cache) {
         *out = (plb_profile){p, pencil_cache};
+        plb_api_finish(failed, to);
         return out;
     }
     if (p)
@@ -95,17 +96,17 @@ plb_profile *plb_profile_capture(const char *const scans[], size_t n, const plb_
 bool plb_profile_save(const plb_profile *pencil, const char *file, plb_error *to)
 {
     error failed = {0};
-    return plb_profile_write(pencil->p, file, &failed) || plb_api_fail(to, &failed);
+    plb_profile_write(pencil->p, file, &failed);
+    return plb_api_finish(&failed, to);
 }
 
 /* Reports on a stream of the caller's. */
 static bool written(bool good, plb_error *to)
 {
     error failed = {0};
-    if (good)
-        return true;
-    plb_fail(&failed, ERROR_FILE, "the report cannot be written: %s", strerror(errno));
-    return plb_api_fail(to, &failed);
+    if (!good)
+        plb_fail(&failed, ERROR_FILE, "the report cannot be written: %s", strerror(errno));
+    return plb_api_finish(&failed, to);
 }
 
 bool plb_profile_show(const plb_profile *pencil, FILE *stream, plb_error *to)
@@ -121,5 +122,6 @@ bool plb_profile_compare(const plb_profile *a, const plb_profile *b, FILE *strea
 bool plb_profile_plot(const plb_profile *pencil, const char *file, plb_error *to)
 {
     error failed = {0};
-    return plb_profile_draw(pencil->p, file, &failed) || plb_api_fail(to, &failed);
+    plb_profile_draw(pencil->p, file, &failed);
+    return plb_api_finish(&failed, to);
 }

@@ -2,10 +2,10 @@
  *
  * Which strokes touch which band of the page.
  */
-#ifndef PLB_API_BANDS_H
-#define PLB_API_BANDS_H
+#ifndef PLB_API_RENDER_BANDS_H
+#define PLB_API_RENDER_BANDS_H
 
-#include "api/drawing.h"
+#include "api/pipeline.h"
 
 /* The strokes of band k: those numbered index[first[k]] to index[first[k + 1] - 1], in the list's order. */
 typedef struct {

@@ -3,7 +3,7 @@
  * See bands.h. A stroke goes to every band that its path, known from the arm, comes near; its graphite is made anew for
  * each, which is cheaper than keeping it, as bands are high.
  */
-#include "api/bands.h"
+#include "api/render/bands.h"
 
 #include "base/array.h"
 #include "system/thread_team.h"

@@ -2,8 +2,8 @@
  *
  * A drawing on its way through the stages: what the files of this folder share.
  */
-#ifndef PLB_API_DRAWING_H
-#define PLB_API_DRAWING_H
+#ifndef PLB_API_PIPELINE_H
+#define PLB_API_PIPELINE_H
 
 #include "api/api_internal.h"
 #include "input/input.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT */
-#ifndef PLB_API_SAMPLE_H
-#define PLB_API_SAMPLE_H
+#ifndef PLB_API_PENCIL_SAMPLE_H
+#define PLB_API_PENCIL_SAMPLE_H
 
 #include "profile/profile.h"
 

@@ -3,8 +3,8 @@
  * Pencils ready to draw, kept with the profile that they are made from: one for the papers' model and one for each paper that
  * was asked for. So a batch, or a program that draws line by line, makes each once.
  */
-#ifndef PLB_API_PENCILS_H
-#define PLB_API_PENCILS_H
+#ifndef PLB_API_PENCIL_PENCILS_H
+#define PLB_API_PENCIL_PENCILS_H
 
 #include "api/api_internal.h"
 #include "stroke/stroke.h"

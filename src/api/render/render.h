@@ -2,10 +2,10 @@
  *
  * From strokes to the page, band by band.
  */
-#ifndef PLB_API_RENDER_H
-#define PLB_API_RENDER_H
+#ifndef PLB_API_RENDER_RENDER_H
+#define PLB_API_RENDER_RENDER_H
 
-#include "api/drawing.h"
+#include "api/pipeline.h"
 #include "surface/page.h"
 
 /* What is done with each band once its strokes are drawn, from the top down. False, with the error filled, stops. */

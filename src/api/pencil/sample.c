@@ -2,8 +2,8 @@
  *
  * Lines for the capture of a pencil to compare with its scans: as the usual options draw them.
  */
-#include "api/drawing.h"
-#include "api/sample.h"
+#include "api/pipeline.h"
+#include "api/pencil/sample.h"
 
 #include "base/number/random.h"
 #include "base/number/units.h"

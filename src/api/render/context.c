@@ -2,9 +2,9 @@
  *
  * What a call draws with: the pencil's tables, the graphite's, the arm.
  */
-#include "api/drawing.h"
+#include "api/pipeline.h"
 
-#include "api/pencils.h"
+#include "api/pencil/pencils.h"
 
 #include <string.h>
 
