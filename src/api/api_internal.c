@@ -22,7 +22,13 @@ bool plb_api_fail(plb_error *to, const error *from)
 
 bool plb_api_finish(const error *from, plb_error *to)
 {
-    return from->kind == ERROR_NONE || plb_api_fail(to, from);
+    if (from->kind != ERROR_NONE)
+        return plb_api_fail(to, from);
+    if (to) {
+        to->status = PLB_OK;
+        to->text[0] = '\0';
+    }
+    return true;
 }
 
 static void say(void *closure, message_level level, const char *text)

@@ -32,7 +32,7 @@ struct plb_drawing {
 /* Copies `from` to the caller's error (may be NULL). Returns false, for `return plb_api_fail(...)`. */
 bool plb_api_fail(plb_error *to, const error *from);
 
-/* The end of a call: true when `from` holds no error, else as plb_api_fail. */
+/* The end of a call: true when `from` holds no error, and the caller's error is cleared; else as plb_api_fail. */
 bool plb_api_finish(const error *from, plb_error *to);
 
 /* The caller's message function as the library's log_sink: `adaptor` must outlive what plb_api_messenger returns. */

@@ -35,7 +35,8 @@ typedef enum {
     PLB_ERROR_HELPER       /* a helper program is missing or died */
 } plb_status;
 
-/* Why a call failed: one line without a newline, "FILE:LINE: what is wrong" where a file is to blame. */
+/* Why a call failed: one line without a newline, "FILE:LINE: what is wrong" where a file is to blame. A call that succeeds
+ * leaves PLB_OK and an empty text. */
 typedef struct {
     plb_status status;
     char text[512];
@@ -44,7 +45,7 @@ typedef struct {
 /* Called for warnings (level 0) and details (level 1) while a call runs; `text` is one line, valid during the call. */
 typedef void (*plb_message_function)(void *closure, int level, const char *text);
 
-/* "0.1.0" */
+/* "0.2.0" */
 PLB_API const char *plb_version(void);
 
 /* Reads a length: a number or a fraction, then mm, cm, in, pt or px (1/96 inch, also meant without a unit), as
@@ -159,7 +160,7 @@ typedef struct {
                                    there are others */
     double limit_time;          /* processor time of the programs that read foreign formats, all for one drawing, s; default 8, 1 to 1e6 */
     double limit_memory;        /* memory of each, MiB; default 1024, 64 to 1e6 */
-    const char *helper_dir;     /* where the helper program tap-svg lies; NULL: beside the program, else the installed place */
+    const char *helper_dir;     /* where the programs that read foreign formats (tap-svg and its like) lie; NULL: beside the program, else the installed place */
     plb_message_function message; /* NULL: silence */
     void (*progress)(void *closure, double done); /* told 0 to 1 now and then; may be NULL */
     void *closure;              /* for message and progress */
@@ -171,7 +172,7 @@ typedef struct plb_drawing plb_drawing;
 
 /* In all calls `drawing`, `file` and `options` must not be NULL; `error` may be. */
 
-/* Reads SVG (.svg, .svgz), PDF or PostScript (.ps, .eps), recognised by content, from `file` ("-": standard input), at
+/* Reads SVG (.svg, .svgz), PDF, PostScript (.ps, .eps) or DXF, recognised by content, from `file` ("-": standard input), at
  * the size that `options` ask for. The caller frees the result. NULL and `error` on failure. */
 PLB_API plb_drawing *plb_drawing_load(const char *file, const plb_options *options, plb_error *error);
 PLB_API void plb_drawing_free(plb_drawing *drawing);

@@ -3,12 +3,21 @@
 
 #include <stdio.h>
 
+/* Names of files may hold any character: a text is one line all the same. */
+static void keep_to_one_line(char *text)
+{
+    for (; *text; text++)
+        if ((unsigned char)*text < ' ' || *text == 127)
+            *text = '?';
+}
+
 bool plb_fail_v(error *err, error_kind kind, const char *format, va_list args)
 {
     if (!err || err->kind != ERROR_NONE)
         return false;
     err->kind = kind;
     vsnprintf(err->text, sizeof err->text, format, args);
+    keep_to_one_line(err->text);
     return false;
 }
 
@@ -41,5 +50,6 @@ void plb_log(const log_sink *to, message_level level, const char *format, ...)
     va_start(args, format);
     vsnprintf(text, sizeof text, format, args);
     va_end(args);
+    keep_to_one_line(text);
     to->say(to->closure, level, text);
 }

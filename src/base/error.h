@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Errors and messages. A function that can fail takes an `error *` last and returns false (or NULL)
- * after filling it; the first error sticks. The text is one line for a person, without a final newline;
+ * after filling it; the first error sticks. The text is one line for a person, whose control characters are shown as '?';
  * where a file is to blame it starts with "FILE:LINE: " or "FILE: ".
  */
 #ifndef PLB_BASE_ERROR_H

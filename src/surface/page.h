@@ -87,7 +87,7 @@ void plb_page_row(const page *p, page_background background, int y, uint8_t *out
 cairo_surface_t *plb_page_surface_new(int width, int height, error *err);
 /* Copies the band at hand to its place there. False when out of memory. */
 bool plb_page_to_cairo(const page *p, page_background background, cairo_surface_t *to);
-/* Lays a patch straight onto a cairo image surface, darkening it. */
-bool plb_lay_on_cairo(cairo_surface_t *surface, const graphite *ink, const patch *from);
+/* Lays a patch straight onto a cairo image surface of format ARGB32, RGB24 or A8, darkening it. */
+void plb_lay_on_cairo(cairo_surface_t *surface, const graphite *ink, const patch *from);
 
 #endif

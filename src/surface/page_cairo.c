@@ -67,14 +67,12 @@ static void lay_pixel(unsigned char *at, cairo_format_t format, uint32_t g, uint
     *pixel = out | (a + t - (a * t + 127) / 255) << 24;
 }
 
-bool plb_lay_on_cairo(cairo_surface_t *surface, const graphite *ink, const patch *from)
+void plb_lay_on_cairo(cairo_surface_t *surface, const graphite *ink, const patch *from)
 {
     cairo_format_t format = cairo_image_surface_get_format(surface);
     size_t bytes = format == CAIRO_FORMAT_A8 ? 1 : 4, stride = (size_t)cairo_image_surface_get_stride(surface);
     int width = cairo_image_surface_get_width(surface), height = cairo_image_surface_get_height(surface);
     unsigned char *data = cairo_image_surface_get_data(surface);
-    if (!data || (format != CAIRO_FORMAT_A8 && format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24))
-        return false;
     uint32_t g = (uint32_t)ink->darkest, depth = 255 - g;
     for (int y = 0; y < from->height; y++)
         for (int x = 0; x < from->width; x++) {
@@ -83,5 +81,4 @@ bool plb_lay_on_cairo(cairo_surface_t *surface, const graphite *ink, const patch
             if (t && px >= 0 && py >= 0 && px < width && py < height)
                 lay_pixel(data + (size_t)py * stride + (size_t)px * bytes, format, g, t > 255 ? 255 : t);
         }
-    return true;
 }
