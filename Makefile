@@ -28,7 +28,7 @@ O = build/$(BUILD)$(SUFFIX)
 Q = $(if $(filter 1,$(V)),,@)
 say = @$(if $(filter 1,$(V)),:,printf '  %-7s %s\n')
 
-packages_lib = cairo libpng zlib
+packages_lib = cairo libpng zlib libseccomp
 packages_tap = librsvg-2.0 cairo cairo-script libxml-2.0
 packages_plain = libxml-2.0
 
@@ -110,8 +110,8 @@ $(O)/libplumbago.a: $(lib_obj) $(O)/pencils.o $(O)/objects
 	$(say) AR $@
 	$(Q)rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
 
-$(O)/plumbago: $(O)/tool/plumbago.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/tool/pages.o $(O)/tool/naming.o $(O)/libplumbago.a
-$(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/libplumbago.a
+$(O)/plumbago: $(O)/tool/plumbago.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/tool/surroundings.o $(O)/tool/pages.o $(O)/tool/naming.o $(O)/libplumbago.a
+$(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/tool/surroundings.o $(O)/libplumbago.a
 $(O)/plumbago $(O)/plumbago-profile:
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_ALL) $^ $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
@@ -210,7 +210,7 @@ demo-pictures: all
 	@echo "$(demo_drawing), drawn with eight pencils, lies in build/demo."
 
 # ---- packages (Debian) ------------------------------------------------------------------------------------
-packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libxml2-dev fonts-dejavu-core poppler-utils ghostscript python3-ezdxf
+packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libseccomp-dev libxml2-dev fonts-dejavu-core poppler-utils ghostscript python3-ezdxf
 packages_tests = librsvg2-bin clang g++ mandoc strace locales unzip
 packages_tests += libclang-rt-14-dev util-linux # for the fuzzers, and for writes that fail
 
@@ -255,7 +255,7 @@ install: all
 	install -m 644 $(O)/libplumbago.a "$(dest)/lib"
 	install -m 644 $(pencils) "$(dest)/share/plumbago/profiles"
 	printf '%s\n' 'prefix=$(PREFIX)' 'Name: plumbago' 'Description: vector drawings drawn with a pencil' 'Version: $(VERSION)' \
-	    'Requires: cairo libpng zlib' 'Libs: -L$${prefix}/lib -lplumbago -lm -pthread' 'Cflags: -I$${prefix}/include' \
+	    'Requires: cairo libpng zlib libseccomp' 'Libs: -L$${prefix}/lib -lplumbago -lm -pthread' 'Cflags: -I$${prefix}/include' \
 	    > "$(dest)/lib/pkgconfig/plumbago.pc"
 	for m in $(notdir $(manuals)); do d="$(dest)/share/man/man$${m##*.}"; install -d "$$d" && \
 	    sed 's#/usr/local#$(PREFIX)#g' man/$$m > "$$d/$$m" && chmod 644 "$$d/$$m" || exit 1; done

@@ -6,8 +6,8 @@
 #include "system/process.h"
 
 #include "base/array.h"
-#include "system/sandbox.h"
-#include "system/seccomp.h"
+#include "system/sandbox/sandbox.h"
+#include "system/watch.h"
 
 #include <dirent.h>
 #include <errno.h>
@@ -21,15 +21,16 @@
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/socket.h>
+#include <sys/sysinfo.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #define BUFFER_BYTES ((size_t)1 << 16)
 #define ENVIRONMENT_MAX 64
-/* A process that uses no processor time is ended by the clock; a busy machine gets so many times the limit. */
-#define TIMES_SILENT 3
-#define TIMES_IN_ALL 10
+#define TIMES_SILENT 3     /* the limit on processor time, while nothing is done */
+#define PATIENCE_AT_END 1  /* s for a process that has closed its output */
+#define STACK_BYTES ((rlim_t)8 << 20)
+#define TASKS_MORE 512     /* than the machine has now: the user's other programs start some meanwhile */
 
 extern char **environ;
 
@@ -41,6 +42,8 @@ typedef struct {
     int last_descriptor;
     process_limits limits;
     double seconds; /* what is left of limits.seconds */
+    rlim_t file_size, tasks;
+    pid_t parent;
     cage cage;
     const char *program;
     const char *const *argv;
@@ -102,7 +105,9 @@ static int highest_descriptor(void)
 
 static void limit(int what, rlim_t soft, rlim_t hard)
 {
-    struct rlimit r = {soft, hard};
+    struct rlimit ours, r = {soft, hard};
+    if (getrlimit(what, &ours) == 0 && ours.rlim_max < hard) /* nobody can give more than there is */
+        r = (struct rlimit){ours.rlim_max < soft ? ours.rlim_max : soft, ours.rlim_max};
     setrlimit(what, &r);
 }
 
@@ -117,8 +122,10 @@ static _Noreturn void be_child(const child_plan *plan)
     limit(RLIMIT_CPU, seconds, seconds + 1);
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_NOFILE, 256, 256);
-    rlim_t file = plan->limits.scratch ? PROCESS_SCRATCH_BYTES : 0;
-    limit(RLIMIT_FSIZE, file, file);
+    limit(RLIMIT_FSIZE, plan->file_size, plan->file_size);
+    limit(RLIMIT_STACK, STACK_BYTES, STACK_BYTES);
+    if (!plan->limits.loose)
+        limit(RLIMIT_NPROC, plan->tasks, plan->tasks);
     if (!SECCOMP_IS_OFF) /* a sanitizer reserves terabytes */
         limit(RLIMIT_AS, plan->limits.memory, plan->limits.memory);
     /* our ends are above 2 (see open_ends), so none of these overwrites another */
@@ -127,20 +134,21 @@ static _Noreturn void be_child(const child_plan *plan)
     for (int fd = 3; fd <= plan->last_descriptor; fd++)
         close(fd);
     prctl(PR_SET_PDEATHSIG, SIGKILL); /* nobody would read what it writes */
-    if (!plan->limits.loose && !plb_sandbox_enter(&plan->cage))
+    if (getppid() != plan->parent)
+        _exit(127);
+    char *const *argv = (char *const *)plan->argv; /* execve takes no const and keeps it */
+    if (plan->limits.loose)
+        execve(plan->program, argv, plan->environment);
+    else if (!plb_sandbox_enter(&plan->cage))
         _exit(126);
-    execve(plan->program, (char *const *)plan->argv, plan->environment); /* it takes no const and keeps it */
+    else if (plan->cage.calls.n)
+        plb_seccomp_execute(&plan->cage.calls, plan->program, argv, plan->environment);
+    else
+        execve(plan->program, argv, plan->environment);
     _exit(127);
 }
 
 /* ---- starting --------------------------------------------------------------------------------------------- */
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 static void close_end(int *fd)
 {
@@ -183,6 +191,32 @@ static bool open_ends(int ends[6])
     return true;
 }
 
+/* A cap that holds for users, not for root (see watch.h, which counts threads too): the kernel counts a user's tasks in all. */
+static rlim_t tasks_allowed(void)
+{
+    struct sysinfo now;
+    return sysinfo(&now) == 0 ? (rlim_t)now.procs + TASKS_MORE : RLIM_INFINITY;
+}
+
+/* All but what open_ends and the caller have given. */
+static void plan_child(child_plan *plan)
+{
+    const process_limits *l = &plan->limits;
+    plan->seconds = fmax(l->seconds - (l->spent ? *l->spent : 0), 1);
+    plan->file_size = !l->scratch ? 0 : l->memory < PROCESS_SCRATCH_BYTES ? l->memory : PROCESS_SCRATCH_BYTES;
+    plan->tasks = tasks_allowed();
+    plan->parent = getpid();
+    plan->last_descriptor = highest_descriptor();
+    plan_environment(plan);
+    plb_sandbox_plan(&plan->cage, plan->program, l->scratch, !l->single, plan->environment);
+}
+
+static void start_watch(process *p, const child_plan *plan)
+{
+    p->watch = (process_watch){.pid = p->pid, .patience = TIMES_SILENT * p->limits.seconds, .scratch = p->limits.scratch,
+                               .room = p->limits.memory, .file_size = (size_t)plan->file_size};
+}
+
 bool plb_process_start(process *p, const char *program, const char *const argv[], const char *input, size_t size,
                        const process_limits *limits, error *err)
 {
@@ -199,10 +233,7 @@ bool plb_process_start(process *p, const char *program, const char *const argv[]
         return false;
     }
     child_plan plan = {.in = ends[1], .out = ends[3], .err = ends[5], .limits = p->limits, .program = program, .argv = argv};
-    plan.seconds = fmax(p->limits.seconds - (p->limits.spent ? *p->limits.spent : 0), 1);
-    plan.last_descriptor = highest_descriptor();
-    plan_environment(&plan);
-    plb_sandbox_plan(&plan.cage, program, p->limits.scratch, plan.environment);
+    plan_child(&plan);
     p->cage = plb_sandbox_name(&plan.cage);
     p->pid = fork();
     if (p->pid == 0)
@@ -213,7 +244,7 @@ bool plb_process_start(process *p, const char *program, const char *const argv[]
         plb_free(p->buffer);
         return false;
     }
-    p->killed_at = now() + TIMES_IN_ALL * p->limits.seconds;
+    start_watch(p, &plan);
     p->in = ends[0];
     p->out = ends[2];
     p->err = ends[4];
@@ -269,31 +300,39 @@ static int read_output(process *p, size_t *size)
     return -1;
 }
 
-/* Waits until something can be done; false: nothing for too long. */
-static bool wait_for_ends(const process *p, struct pollfd ends[3])
+/* Looks at it; false when it is to be ended. */
+static bool may_go_on(process *p)
 {
-    double end = fmin(now() + TIMES_SILENT * p->limits.seconds, p->killed_at);
+    error fault = {0};
+    watch_result r = plb_watch_look(&p->watch, &fault);
+    if (r == WATCH_OVERSTEPPED)
+        p->fault = fault;
+    if (r != WATCH_FINE)
+        p->end = r == WATCH_OVERSTEPPED ? PROCESS_OVERSTEPPED : PROCESS_TIMED_OUT;
+    return r == WATCH_FINE;
+}
+
+/* Waits until something can be done; false: it is to be ended. */
+static bool wait_for_ends(process *p, struct pollfd ends[3])
+{
     ends[0] = (struct pollfd){.fd = p->in, .events = POLLOUT};
     ends[1] = (struct pollfd){.fd = p->out, .events = POLLIN};
     ends[2] = (struct pollfd){.fd = p->err, .events = POLLIN};
     for (;;) {
-        double left = end - now();
-        if (left <= 0)
+        int n = poll(ends, 3, (int)(1000 * WATCH_TICK));
+        if (!may_go_on(p) || (n < 0 && errno != EINTR))
             return false;
-        int n = poll(ends, 3, (int)(left * 1000) + 1);
         if (n > 0)
             return true;
-        if (n < 0 && errno != EINTR)
-            return false;
     }
 }
 
 bool plb_process_read(process *p, const char **data, size_t *size)
 {
+    plb_watch_resume(&p->watch);
     while (p->out >= 0) {
         struct pollfd ends[3];
         if (!wait_for_ends(p, ends)) {
-            p->end = PROCESS_TIMED_OUT;
             close_end(&p->out);
             return false;
         }
@@ -311,54 +350,59 @@ bool plb_process_read(process *p, const char **data, size_t *size)
 
 /* ---- ending ----------------------------------------------------------------------------------------------- */
 
-/* After the end of its output: the rest of its message, for a second at most; then it should be gone. */
-static void drain_message(process *p)
-{
-    double end = now() + 1;
-    while (p->err >= 0 && now() < end) {
-        struct pollfd one = {.fd = p->err, .events = POLLIN};
-        if (poll(&one, 1, 100) > 0)
-            read_message(p);
-    }
-}
-
 static double seconds(struct timeval t) { return (double)t.tv_sec + 1e-6 * (double)t.tv_usec; }
 
-/* Reaps the child, patiently for a second (it has closed its output), then by force. */
-static int reap(process *p)
+/* Takes the rest of its message and reaps it. A process that has closed its output should be gone soon; one that is not, or
+ * oversteps now, is ended by force, which is told. */
+static bool reap(process *p, int *status)
 {
-    int status = 0;
     struct rusage use = {0};
-    double end = now() + 1;
+    bool is_forced = false;
     pid_t r;
-    while ((r = wait4(p->pid, &status, WNOHANG, &use)) == 0 || (r < 0 && errno == EINTR)) {
-        if (now() > end)
+    p->watch.patience = PATIENCE_AT_END;
+    p->watch.waited = 0;
+    plb_watch_resume(&p->watch);
+    while ((r = wait4(p->pid, status, WNOHANG, &use)) == 0 || (r < 0 && errno == EINTR)) {
+        struct pollfd one = {.fd = p->err, .events = POLLIN};
+        if (poll(&one, 1, p->err < 0 ? 1 : (int)(1000 * WATCH_TICK)) > 0)
+            read_message(p);
+        if (!is_forced && p->end == PROCESS_RUNNING && !may_go_on(p)) {
             kill(p->pid, SIGKILL);
-        poll(NULL, 0, 1);
+            is_forced = true;
+        }
     }
+    while (p->err >= 0 && poll(&(struct pollfd){.fd = p->err, .events = POLLIN}, 1, 0) > 0)
+        read_message(p);
     if (r == p->pid && p->limits.spent)
         *p->limits.spent += seconds(use.ru_utime) + seconds(use.ru_stime);
-    return r == p->pid ? status : 0;
+    return r == p->pid;
 }
 
 void plb_process_finish(process *p)
 {
-    bool whole = p->out < 0 && p->end != PROCESS_TIMED_OUT;
-    if (!whole)
+    error fault = {0};
+    int status = 0;
+    if (p->out >= 0 || p->end != PROCESS_RUNNING)
         kill(p->pid, SIGKILL);
+    bool is_whole = p->out < 0 && p->end == PROCESS_RUNNING;
     close_end(&p->in);
     close_end(&p->out);
-    drain_message(p);
+    if (!reap(p, &status))
+        status = 0;
     close_end(&p->err);
-    int status = reap(p);
     plb_free(p->buffer);
     p->buffer = NULL;
-    if (p->end == PROCESS_TIMED_OUT)
+    /* what it wrote between the last look and its end */
+    if (p->end == PROCESS_RUNNING && p->limits.scratch && plb_watch_check(&p->watch, &fault) == WATCH_OVERSTEPPED) {
+        p->end = PROCESS_OVERSTEPPED;
+        p->fault = fault;
+    }
+    if (p->end != PROCESS_RUNNING)
         return;
     p->end = WIFSIGNALED(status) ? PROCESS_CRASHED : PROCESS_EXITED;
     p->code = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status);
     /* the soft limit sends SIGXCPU, the hard one SIGKILL, which nobody else sends to a process that ran to its end */
-    if (p->end == PROCESS_CRASHED && (p->code == SIGXCPU || (whole && p->code == SIGKILL)))
+    if (p->end == PROCESS_CRASHED && (p->code == SIGXCPU || (is_whole && p->code == SIGKILL)))
         p->end = PROCESS_TIMED_OUT;
 }
 

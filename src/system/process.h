@@ -7,6 +7,7 @@
 #define PLB_SYSTEM_PROCESS_H
 
 #include "base/error.h"
+#include "system/watch.h"
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -14,12 +15,14 @@
 
 /* What a process may use. */
 typedef struct {
-    double seconds; /* of processor time; by the clock three times as many in silence (neither bytes taken nor given), ten
-                       times as many in all */
+    double seconds; /* of processor time. By the clock it may take as long as it gets a hundredth of a processor or more, and
+                       three times `seconds` beyond that; time in which we are stopped does not count */
     double *spent;  /* processor time that other processes for the same drawing have taken out of `seconds`; this one's is
                        added. Each gets a second, whatever is left. NULL: it has all for itself */
     size_t memory;  /* bytes of address space */
-    const char *scratch; /* a folder in which it may write files, of PROCESS_SCRATCH_BYTES each; NULL: it writes nowhere */
+    const char *scratch; /* a folder in which it may make and write files, of `memory` bytes together, and
+                            PROCESS_SCRATCH_BYTES each; NULL: it writes nowhere */
+    bool single;         /* it has one thread and may start none */
     bool loose;          /* no cage, only limits; for our tests' own programs */
 } process_limits;
 #define PROCESS_SCRATCH_BYTES ((size_t)256 << 20)
@@ -29,7 +32,8 @@ typedef enum {
     PROCESS_RUNNING,
     PROCESS_EXITED,   /* by itself; `code` is its exit status */
     PROCESS_CRASHED,  /* by signal `code` */
-    PROCESS_TIMED_OUT /* used its CPU time up, or was silent for too long */
+    PROCESS_TIMED_OUT, /* used its processor time up, or did nothing for too long */
+    PROCESS_OVERSTEPPED /* ended by us; `fault` says what it did */
 } process_end;
 
 typedef struct {
@@ -43,8 +47,9 @@ typedef struct {
     char message[1024]; /* the first bytes that it wrote to its standard error; a string */
     size_t message_length;
     process_limits limits;
-    double killed_at; /* by the clock */
-    const char *cage;  /* what holds it: plb_sandbox_name */
+    process_watch watch;
+    error fault;
+    const char *cage; /* what holds it: plb_sandbox_name */
 } process;
 
 /* Starts `program` with arguments argv[0..], NULL-terminated, and `size` bytes of input, which must live until the

@@ -8,6 +8,8 @@
 #include <stdatomic.h>
 #include <unistd.h>
 
+#define STACK_BYTES ((size_t)2 << 20) /* whatever the limit on the first thread's is */
+
 typedef struct {
     team_work work;
     void *closure;
@@ -42,6 +44,17 @@ static void *toil(void *closure)
     return NULL;
 }
 
+/* Starts m->thread; false when that fails. */
+static bool start(member *m)
+{
+    pthread_attr_t with;
+    if (pthread_attr_init(&with) != 0)
+        return false;
+    bool ok = pthread_attr_setstacksize(&with, STACK_BYTES) == 0 && pthread_create(&m->thread, &with, toil, m) == 0;
+    pthread_attr_destroy(&with);
+    return ok;
+}
+
 bool plb_thread_team_run(int members, size_t n, team_work work, void *closure)
 {
     job j = {.work = work, .closure = closure, .n = n};
@@ -51,7 +64,7 @@ bool plb_thread_team_run(int members, size_t n, team_work work, void *closure)
     team[0] = (member){.job = &j};
     while (started < members && (size_t)started < n) {
         team[started] = (member){.job = &j, .number = started};
-        if (pthread_create(&team[started].thread, NULL, toil, &team[started]) != 0)
+        if (!start(&team[started]))
             break;
         started++;
     }

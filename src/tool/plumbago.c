@@ -7,8 +7,8 @@
 #include "tool/options.h"
 #include "tool/pages.h"
 #include "tool/streams.h"
+#include "tool/surroundings.h"
 
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
@@ -558,10 +558,8 @@ static int run_all(settings *s, char *const inputs[], int n)
 
 int main(int argc, char **argv)
 {
-    if (!streams_keep())
+    if (!surroundings_prepare(PROGRAM))
         return EXIT_NOT_DRAWN;
-    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error like others */
-    signal(SIGCHLD, SIG_DFL); /* whoever started us may ignore it: we want to know how the helper ended */
     settings s = {.o = plb_options_default(), .pencil = "HB", .dump = -1};
     int operands;
     if (!options_parse(PROGRAM, table, TABLE_ROWS, argc, argv, &s, &operands))

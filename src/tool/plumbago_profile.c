@@ -5,9 +5,9 @@
 #include "api/plumbago.h"
 #include "tool/options.h"
 #include "tool/streams.h"
+#include "tool/surroundings.h"
 
 #include <errno.h>
-#include <signal.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -289,9 +289,8 @@ static int run_command(settings *s, char **operands, int n)
 
 int main(int argc, char **argv)
 {
-    if (!streams_keep())
+    if (!surroundings_prepare(PROGRAM))
         return EXIT_NOT_DONE;
-    signal(SIGXFSZ, SIG_IGN); /* a file that may not grow is an error like others */
     settings s = {.capture = plb_capture_options_default()};
     int operands, status = EXIT_DONE;
     if (!options_parse(PROGRAM, table, TABLE_ROWS, argc, argv, &s, &operands))

@@ -63,7 +63,7 @@ if command -v gs >/dev/null && command -v pdftocairo >/dev/null; then
     mkdir small
     if mount -t tmpfs -o size=4k tmpfs small 2>/dev/null; then
         export TMPDIR=$PWD/small
-        refuses "no room for temporary files" 'text.eps: Ghostscript: .*ioerror' -o text.png text.eps
+        refuses "no room for temporary files" 'text.eps: Ghostscript finds no room for its temporary files' -o text.png text.eps
         is "nothing is left there" "$(ls small)" ""
         umount small
     else
@@ -112,6 +112,19 @@ case $BUILD_DIR in
     awk 'BEGIN { print "0\nSECTION\n2\nENTITIES"; for (k = 0; k < 40000; k++) printf "0\nLINE\n8\n0\n10\n%d\n20\n0\n11\n%d\n21\n9\n", k, k; print "0\nENDSEC\n0\nEOF" }' >many.dxf
     /usr/bin/python3 -c 'import ezdxf' 2>/dev/null &&
         refuses "little memory for ezdxf" 'too much memory|ezdxf needs more than' --limit-memory 64 -o y.png many.dxf
+    ;;
+esac
+# A stack that no program can work with is told; one that may grow is enlarged.
+(ulimit -s 64 && exec "$PLUMBAGO" -d 20 -o y.png a.svg) >"$TMP/out" 2>"$TMP/err"
+is "a stack of 64 KB" "$? $(cat "$TMP/err")" "1 plumbago: the stack may have 64 KB only (ulimit -s): 256 are needed"
+(ulimit -s 64 && exec "$PLUMBAGO_PROFILE" show HB) >"$TMP/out" 2>"$TMP/err"
+is "a stack of 64 KB for the other program" "$? $(wc -l <"$TMP/err")" "1 1"
+case $BUILD_DIR in *release*)
+    for n in '-s 256' '-Ss 64'; do
+        # shellcheck disable=SC2086
+        (ulimit $n && exec "$PLUMBAGO" -d 20 -o y.png a.svg) >"$TMP/out" 2>"$TMP/err"
+        is "a stack by ulimit $n" "$? $(cat "$TMP/err")" "0 "
+    done
     ;;
 esac
 for home in '' relative /nonexistent "$(printf 'x%.0s' {1..5000})"; do
