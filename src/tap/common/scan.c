@@ -171,7 +171,7 @@ static bool fast_number(scanner *s, token *t)
             digits = digits * 10 + (uint64_t)(*p - '0');
         fraction = (size_t)(p - first);
     }
-    if (p >= end || is_regular(p) || whole + fraction == 0 || whole + fraction > 17)
+    if (p >= end || is_regular(p) || whole + fraction == 0 || whole + fraction > 17 || digits > (uint64_t)1 << 53)
         return false;
     double v = (double)digits;
     if (fraction)
