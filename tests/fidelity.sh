@@ -17,7 +17,7 @@ printf 'file\trecall\tprecision\ttone\tprint px\tarea px\tdrawing px\tsheet\twha
 # %%BoundingBox, the page is that box, else it starts at the origin.
 page_of() {
     "$PLUMBAGO" -q --dump=list "$1" 2>/dev/null | awk -v box="$(LC_ALL=C tr '\r' '\n' <"$1" | grep -a '^%%BoundingBox: *[-0-9]' | head -n 1)" '
-    NR == 1 { w = $2 / 25.4 * 72; h = $3 / 25.4 * 72; sub(/^%%BoundingBox: */, "", box); split(box, b, " ")
+    $1 == "page" { w = $2 / 25.4 * 72; h = $3 / 25.4 * 72; sub(/^%%BoundingBox: */, "", box); split(box, b, " ")
         found = (b[3] - b[1] - w) ^ 2 < 9 && (b[4] - b[2] - h) ^ 2 < 9
         print found ? b[1] : 0, found ? b[2] : 0, w, h; exit }'
 }

@@ -29,13 +29,14 @@ static bool fit(display_list *list, const plb_options *o, error *err)
         plb_list_transform(list, m);
     list->width = w;
     list->height = h;
+    list->paper_scale *= f;
     return true;
 }
 
 /* Nothing is left out silently. */
-static void report_omissions(const plb_drawing *d, const log_sink *say)
+static void report_omissions(const plb_drawing *d, const omissions *left_out, const log_sink *say)
 {
-    plb_omissions_report(&d->list.omissions, d->name, say);
+    plb_omissions_report(left_out, d->name, say);
     if (d->strokes.strokes.n == 0)
         plb_log(say, MESSAGE_WARNING, "%s: nothing in it leaves a mark: the page is empty", d->name);
 }
@@ -70,12 +71,12 @@ static bool draw(plb_drawing *d, const input_source *in, const plb_options *o, e
     plan_options how = plb_api_plan_options(o);
     log_sink named = {say_named, (void *)(uintptr_t)in};
     error late = {ERROR_NONE, ""};
-    plb_list_count_omissions(&d->list);
+    omissions left_out = plb_list_count_omissions(&d->list);
     if (!fit(&d->list, o, &late) || (plb_api_needs_tone(&d->list, &how) && !plb_api_measure_tone(o, &how, &late)) ||
         !plb_plan(&d->list, &how, &named, &d->strokes, &late))
         return plb_fail(err, late.kind, "%s: %s", d->name, late.text);
     mark_page(&d->strokes, o->page);
-    report_omissions(d, &in->say);
+    report_omissions(d, &left_out, &in->say);
     return true;
 }
 

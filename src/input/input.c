@@ -78,7 +78,11 @@ static bool is_dxf(const char *data, size_t size)
     return (starts_with(data, size, "0", 1) || starts_with(data, size, "999", 3)) && contains(data, size, "SECTION");
 }
 
+/* Its own language names itself at the very start. */
+static bool is_list(const char *data, size_t size) { return starts_with(data, size, "plumbago-list", 13); }
+
 static const input_format formats[] = {
+    {"plumbago-list", is_list, plb_read_list, NULL},
     {"PostScript", is_postscript, plb_read_postscript, plb_count_postscript_pages},
     {"PDF", is_pdf, plb_read_pdf, plb_count_pdf_pages},
     {"SVG", is_svg, plb_read_svg, NULL},

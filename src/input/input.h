@@ -37,6 +37,7 @@ bool plb_input_load(const char *file, char **data, size_t *size, error *err);
 bool plb_read_svg(const input_source *in, display_list *list, error *err);
 bool plb_read_postscript(const input_source *in, display_list *list, error *err);
 bool plb_read_dxf(const input_source *in, display_list *list, error *err);
+bool plb_read_list(const input_source *in, display_list *list, error *err);
 bool plb_read_pdf(const input_source *in, display_list *list, error *err);
 
 /* Counters of pages, for the formats that can have several. */

@@ -51,9 +51,12 @@ bool plb_list_add(display_list *list, item *it, error *err)
     }
     if (list->items.n >= LIST_MAX_ITEMS || it->path.points.n > LIST_MAX_POINTS - list->points)
         return plb_fail(err, ERROR_LIMIT, "the drawing has more than %u items or %u points", LIST_MAX_ITEMS, LIST_MAX_POINTS);
+    if (it->dash.n > LIST_MAX_DASHES - list->dashes)
+        return plb_fail(err, ERROR_LIMIT, "the drawing has more than %u dashes", LIST_MAX_DASHES);
     if (!array_push(&list->items, *it))
         return plb_fail_memory(err);
     list->points += it->path.points.n;
+    list->dashes += it->dash.n;
     memset(it, 0, sizeof *it);
     return true;
 }
@@ -97,17 +100,19 @@ static bool is_off_page(const display_list *list, const item *it)
     return b.x1 + more < 0 || b.y1 + more < 0 || b.x0 - more > list->width || b.y0 - more > list->height;
 }
 
-void plb_list_count_omissions(display_list *list)
+omissions plb_list_count_omissions(const display_list *list)
 {
+    omissions all = list->omissions;
     for (size_t i = 0; i < list->items.n; i++) {
         const item *it = &list->items.v[i];
         if (!(it->paint.alpha > 0))
-            list->omissions.n[OMISSION_INVISIBLE]++;
+            all.n[OMISSION_INVISIBLE]++;
         else if (is_off_page(list, it))
-            list->omissions.n[OMISSION_OFF_PAGE]++;
+            all.n[OMISSION_OFF_PAGE]++;
         else if (it->paint.kind == PAINT_PATTERN)
-            list->omissions.n[OMISSION_PATTERN]++;
+            all.n[OMISSION_PATTERN]++;
     }
+    return all;
 }
 
 box plb_list_bounds(const display_list *list)

@@ -11,8 +11,6 @@
 #include "base/geometry/path.h"
 #include "list/omissions.h"
 
-#include <stdio.h>
-
 typedef enum { ITEM_STROKE, ITEM_FILL } item_kind;
 typedef enum { PAINT_SOLID, PAINT_GRADIENT, PAINT_PATTERN } paint_kind;
 typedef enum { LINE_CAP_BUTT, LINE_CAP_ROUND, LINE_CAP_SQUARE } line_cap;
@@ -73,6 +71,7 @@ typedef struct {
     ARRAY(clip) clips;
     ARRAY(gradient) gradients;
     size_t points; /* of all paths together */
+    size_t dashes; /* of all items together */
     double paper_scale; /* mm on paper per mm of the thing drawn, where the reader chose it (DXF); else 1 */
     omissions omissions; /* what was met and left out */
 } display_list;
@@ -80,6 +79,7 @@ typedef struct {
 /* Limits on what a file may ask for; a reader stops with ERROR_LIMIT when one is passed. */
 #define LIST_MAX_ITEMS 4000000u
 #define LIST_MAX_POINTS 40000000u
+#define LIST_MAX_DASHES 40000000u
 #define LIST_MAX_GRADIENTS 100000u
 
 void plb_list_init(display_list *list);
@@ -92,11 +92,13 @@ bool plb_list_add(display_list *list, item *it, error *err);
 bool plb_list_add_clip(display_list *list, clip *c, int *index, error *err);
 /* Adds a gradient, unless it is the last one again, and gives 1 + its index, for item.gradient. */
 bool plb_list_add_gradient(display_list *list, const gradient *g, unsigned *index, error *err);
+/* Adds it in every case. */
+bool plb_list_append_gradient(display_list *list, const gradient *g, error *err);
 void plb_item_free(item *it);
 /* All that lies on the page is mapped by `m` (line widths and dashes by its expansion). */
 void plb_list_transform(display_list *list, matrix m);
-/* Counts what nobody will see, and the fills that are no more than an even grey, among the omissions. */
-void plb_list_count_omissions(display_list *list);
+/* Gives what was left out, with what nobody will see and the fills that are no more than an even grey. */
+omissions plb_list_count_omissions(const display_list *list);
 /* Bounds of all items' paths; empty when there are none. */
 box plb_list_bounds(const display_list *list);
 /* Perceived lightness of a paint on white paper: 0 black to 1 white (Rec. 601 luma, alpha over white). */
@@ -108,8 +110,5 @@ const gradient *plb_item_gradient(const display_list *list, const item *it);
 paint plb_gradient_at(const gradient *g, point mm);
 /* Adds a stop behind the others. */
 void plb_gradient_add_stop(gradient *g, gradient_stop stop);
-
-/* The text form, one item a line after a head line; plumbago(1), --dump=list. False on a write error. */
-bool plb_list_print(const display_list *list, FILE *to);
 
 #endif

@@ -102,16 +102,21 @@ static bool same(const gradient *a, const gradient *b)
     return all;
 }
 
+bool plb_list_append_gradient(display_list *list, const gradient *g, error *err)
+{
+    if (list->gradients.n >= LIST_MAX_GRADIENTS)
+        return plb_fail(err, ERROR_LIMIT, "the drawing has more than %u gradients", LIST_MAX_GRADIENTS);
+    return array_push(&list->gradients, *g) || plb_fail_memory(err);
+}
+
 bool plb_list_add_gradient(display_list *list, const gradient *g, unsigned *index, error *err)
 {
     if (list->gradients.n && same(&list->gradients.v[list->gradients.n - 1], g)) {
         *index = (unsigned)list->gradients.n;
         return true;
     }
-    if (list->gradients.n >= LIST_MAX_GRADIENTS)
-        return plb_fail(err, ERROR_LIMIT, "the drawing has more than %u gradients", LIST_MAX_GRADIENTS);
-    if (!array_push(&list->gradients, *g))
-        return plb_fail_memory(err);
+    if (!plb_list_append_gradient(list, g, err))
+        return false;
     *index = (unsigned)list->gradients.n;
     return true;
 }

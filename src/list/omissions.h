@@ -8,6 +8,8 @@
 
 #include "base/error.h"
 
+#include <stddef.h>
+
 typedef enum {
     OMISSION_IMAGE,      /* raster images and stencils */
     OMISSION_TEXT,       /* strings without outlines at hand */
@@ -24,10 +26,19 @@ typedef enum {
     OMISSION_KINDS
 } omission_kind;
 
+#define OMISSION_ADVICE_MAX 200 /* bytes */
+
 typedef struct {
     unsigned long n[OMISSION_KINDS];
-    const char *advice; /* what would help against it, lives forever; NULL: nothing known */
+    char advice[OMISSION_ADVICE_MAX]; /* what would help against it; empty: nothing known */
 } omissions;
+
+/* The kind's name in the list's text form, plumbago-list(5). */
+const char *plb_omission_name(omission_kind kind);
+/* The kind that the n bytes name; false: none. */
+bool plb_omission_find(const char *name, size_t n, omission_kind *kind);
+/* Keeps the advice, cut to its room; NULL: none. */
+void plb_omissions_advise(omissions *l, const char *advice);
 
 /* One warning with all that matters, and a detail for each kind with what became of it. */
 void plb_omissions_report(const omissions *l, const char *name, const log_sink *say);

@@ -5,6 +5,7 @@
  */
 #include "check.h"
 #include "input/input.h"
+#include "list/list_write.h"
 
 #define MOST ((size_t)1 << 20)
 

@@ -4,6 +4,7 @@
  */
 #include "api/pipeline.h"
 
+#include "list/list_write.h"
 #include "system/output.h"
 #include "surface/plot/controls.h"
 

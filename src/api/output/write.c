@@ -17,10 +17,11 @@ typedef struct {
 
 static void label(labels *l, const plb_options *o, const render_context *t)
 {
+    static const char *const arms[] = {"", "hand", "jerk", "spring", "lognormal", "torque"};
     snprintf(l->seed, sizeof l->seed, "%llu", (unsigned long long)o->seed);
     snprintf(l->software, sizeof l->software, "Plumbago %s", plb_version());
     const char *text[] = {"Software", l->software, "Plumbago-Seed", l->seed, "Plumbago-Pencil", plb_profile_name(t->profile),
-                          "Plumbago-Model", plb_model_of(&t->stroke)->name, "Plumbago-Arm", plb_arm_of(&t->stroke)->name, NULL};
+                          "Plumbago-Model", o->model == PLB_MODEL_HLA ? "hla" : "graphite", "Plumbago-Arm", arms[plb_api_arm(o)], NULL};
     memcpy(l->text, text, sizeof text);
 }
 

@@ -208,7 +208,7 @@ static bool improve(ps *p, const gs_page *page)
         return plb_fail(&p->err, why.kind, "%s", why.text);
     if (why.kind)
         plb_log(say, MESSAGE_DETAIL, "%s", why.text);
-    p->list->omissions.advice = advice_on(&why);
+    plb_omissions_advise(&p->list->omissions, advice_on(&why));
     return true;
 }
 

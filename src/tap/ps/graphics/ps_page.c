@@ -41,7 +41,7 @@ static bool op_showpage(ps *p)
         return true;
     }
     clear_page(p);
-    p->list->omissions = (omissions){.advice = NULL};
+    p->list->omissions = (omissions){.advice = ""};
     plb_ps_reset_graphics(p);
     return true;
 }
