@@ -155,7 +155,8 @@ $(O)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(tool_parts) $(O)/libplumbag
 LIBS_tap_replay = $(shell pkg-config --libs cairo-script-interpreter 2>/dev/null || echo -lcairo-script-interpreter)
 
 # ---- tests ------------------------------------------------------------------------------------------------
-# `make check` runs what takes minutes; TESTS= picks some.
+# `make check` runs what takes minutes; TESTS= picks some, JOBS= says how many run at a time.
+JOBS = $(shell nproc 2>/dev/null || echo 1)
 TESTS = $(c_tests:tests/%.c=$(O)/tests/%) $(wildcard tests/cli/*.sh tests/rules/*.sh tests/image/*.sh tests/stage/*.sh tests/fuzz/*.sh) $(filter-out tests/check.sh,$(wildcard tests/*.sh))
 
 .PHONY: check check-only tests
@@ -163,7 +164,7 @@ check: packages-check
 	+$(Q)$(MAKE) --no-print-directory check-only
 tests: all $(tests_bin) examples
 check-only: tests
-	$(Q)tests/run $(O) $(TESTS)
+	$(Q)tests/run -j $(JOBS) $(O) $(TESTS)
 
 # What takes longer than one likes to wait. LOAD=N: how many drawings are made while make is killed.
 .PHONY: check-long check-sanitizers

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Stopped midway: no temporary file, no half output, no helper left running.
+# Alone: it measures how soon programs end.
 . "$ROOT/tests/check.sh"
 # A drawing that takes a while: 20,000 lines on a large sheet.
 awk 'BEGIN { print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800mm\" height=\"600mm\" viewBox=\"0 0 800 600\"><g stroke=\"black\" stroke-width=\".3\">";

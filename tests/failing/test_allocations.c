@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The n-th allocation fails, for every n until none does any more: each time there is an error that says so, or the
+ * The n-th allocation fails, for every n (`whole`), or for some, until none does any more: each time there is an error that says so, or the
  * same result as ever, no crash, and (this build has the address sanitizer) no leak. With BUILD=failing only.
  *
- *     test_allocations FOLDER-OF-HELPERS FOLDER-OF-DRAWINGS
+ *     test_allocations FOLDER-OF-HELPERS FOLDER-OF-DRAWINGS [whole]
  */
 #include "check.h"
 
@@ -22,6 +22,7 @@
 
 static atomic_long until_failure; /* allocations that succeed before one fails; negative: all do */
 static bool and_all_later;
+static bool whole; /* each allocation fails once, not some of them */
 static const char *helpers, *drawings;
 static long failures, current; /* the n of the allocation that fails; SHOW=n prints where */
 
@@ -42,10 +43,13 @@ static outcome outcome_of(bool good, const error *err)
     return good ? CAME_OFF : err->kind == ERROR_MEMORY ? OUT_OF_MEMORY : OTHER_ERROR;
 }
 
-/* Runs `once` with the n-th allocation failing, n = 1, 1 + step, ... until it comes off without having met one that fails. */
+#define FIRST_ALLOCATIONS 40 /* fail one after the other, also where only some of those that follow are tried */
+
+/* Runs `once` with the n-th allocation failing, n = 1, 2, ... and later every step-th, until `once` comes off without having
+ * met one that fails. */
 static void fail_each(outcome (*once)(const void *), const void *what, long step, long *tried)
 {
-    for (long n = 0; n < MOST; n += step) {
+    for (long n = 0; n < MOST; n += n < FIRST_ALLOCATIONS ? 1 : step) {
         atomic_store(&until_failure, n);
         current = n + 1;
         outcome result = once(what);
@@ -66,10 +70,11 @@ static void fail_each(outcome (*once)(const void *), const void *what, long step
     CHECK(!"it never comes off");
 }
 
-/* One failure, and then: all that follow fail too, as when memory is gone. */
-static void fail_each_way(outcome (*once)(const void *), const void *what, long step)
+/* Lets one allocation fail, and then: all that follow fail too, as when memory is gone. `every` is the step of a whole run; a
+ * short one takes `stride` as many, a prime that differs by the case, so that different places fail in each. */
+static void fail_each_way(outcome (*once)(const void *), const void *what, long every, long stride)
 {
-    long tried = 0;
+    long tried = 0, step = whole ? every : every * stride;
     atomic_store(&until_failure, -2L * MOST);
     CHECK(once(what) == CAME_OFF);
     for (int way = 0; way < 2 && !check_failed; way++) {
@@ -100,10 +105,10 @@ static outcome draw(const void *what)
     unlink("out.png");
     return good ? CAME_OFF : failed.status == PLB_ERROR_MEMORY ? OUT_OF_MEMORY : (printf("  %s\n", failed.text), OTHER_ERROR);
 }
-static void svg(void) { fail_each_way(draw, "small.svg", 1); }
-static void postscript(void) { fail_each_way(draw, "small.ps", 1); }
-static void hatching(void) { fail_each_way(draw, "hatch.ps", 101); }
-static void dxf(void) { fail_each_way(draw, "small.dxf", 1); }
+static void svg(void) { fail_each_way(draw, "small.svg", 1, 13); }
+static void postscript(void) { fail_each_way(draw, "small.ps", 1, 17); }
+static void hatching(void) { fail_each_way(draw, "hatch.ps", 101, 7); }
+static void dxf(void) { fail_each_way(draw, "small.dxf", 1, 19); }
 
 static outcome read_profile(const void *what)
 {
@@ -116,7 +121,7 @@ static outcome read_profile(const void *what)
     plb_profile_release(p);
     return outcome_of(good, &err);
 }
-static void profile_file(void) { fail_each_way(read_profile, "6B", 1); }
+static void profile_file(void) { fail_each_way(read_profile, "6B", 1, 5); }
 
 static outcome capture(const void *what)
 {
@@ -131,7 +136,7 @@ static outcome capture(const void *what)
         printf("  %s\n", err.text);
     return outcome_of(p != NULL, &err);
 }
-static void scan(void) { fail_each_way(capture, "scan.png", 1); }
+static void scan(void) { fail_each_way(capture, "scan.png", 1, 11); }
 
 int main(int argc, char **argv)
 {
@@ -139,6 +144,7 @@ int main(int argc, char **argv)
         return 2;
     helpers = argv[1];
     drawings = argv[2];
+    whole = argc > 3;
     RUN(svg);
     RUN(postscript);
     RUN(hatching);

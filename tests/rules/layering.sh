@@ -85,6 +85,6 @@ case $BUILD_DIR in
 esac
 
 # What tests and trials leave behind where they were started has once been committed with a change.
-allowed_at_top=' .ci .gitignore LICENSE Makefile NEWS.md README.md examples man profiles src tests '
+allowed_at_top=' .ci .clang-format .editorconfig .gitignore CONTRIBUTING.md LICENSE Makefile NEWS.md README.md examples man profiles src tests '
 others=$(git -C "$ROOT" ls-files 2>/dev/null | sed 's#/.*##' | sort -u | while read -r name; do [[ $allowed_at_top == *" $name "* ]] || echo "$name"; done)
 report "nothing else lies at the top" "$others"
