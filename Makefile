@@ -266,6 +266,22 @@ uninstall:
 	rm -rf "$(dest)/libexec/plumbago" "$(dest)/share/plumbago"
 	for m in $(notdir $(manuals)); do rm -f "$(dest)/share/man/man$${m##*.}/$$m"; done
 
+# Debian packages: the sources and examples/packaging/debian, in a folder of their own.
+.PHONY: package
+package:
+	@tests/packages $(packages_build) debhelper dpkg-dev
+	$(Q)rm -rf build/package && mkdir -p build/package/source
+	$(Q)tar --exclude=./build --exclude=./.git -cf - . | tar -xf - -C build/package/source
+	$(Q)cp -r examples/packaging/debian build/package/source/
+	$(Q)cd build/package/source && env -u MAKEFLAGS -u MAKELEVEL -u MFLAGS dpkg-buildpackage -us -uc -b -j$(JOBS) >../log 2>&1 || \
+	    { tail -n 20 ../log; exit 1; }
+	@for p in build/package/*.deb; do echo "  $$p"; done
+
+# The one number of this version, for those who ask.
+.PHONY: version
+version:
+	@echo $(VERSION)
+
 .PHONY: clean help
 clean:
 	rm -rf build
@@ -282,6 +298,7 @@ help:
 	@echo 'make realism    can a machine observer tell drawn lines from scanned ones?'
 	@echo 'make profiles   captures the eight pencils anew, where the scans are at hand'
 	@echo 'make install    to $$(DESTDIR)$$(PREFIX); uninstall takes it away'
+	@echo 'make package    Debian packages, in build/package (Debian: debhelper)'
 	@echo 'make clean      removes build/'
 	@echo 'BUILD=release|debug|asan|ubsan|tsan|cover|failing|fuzz   CC=gcc|clang   V=1: show the commands'
 

@@ -36,6 +36,19 @@ if [ -s out/a.png ] && [ -s out/b.png ] && [ ! -e out/bad.png ]; then ok "one fa
 plumbago --dump=strokes a.svg b.svg
 is "text of two drawings on standard output" "$(grep -c '^strokes' "$TMP/out")" 2
 
-PATH="$(dirname "$PLUMBAGO"):$PATH" sh "$ROOT/examples/many.sh" many a.svg b.svg >"$TMP/out" 2>&1
-same "examples/many.sh draws the first" many/a.png one.png
-same "examples/many.sh draws the second" many/b.png two.png
+export PATH="${PLUMBAGO%/*}:$PATH"
+cp b.svg 'b b.svg'
+sh "$ROOT/examples/many.sh" 'ma ny' a.svg 'b b.svg' >"$TMP/out" 2>&1
+same "examples/many.sh draws the first" 'ma ny/a.png' one.png
+same "examples/many.sh draws the second" 'ma ny/b b.png' two.png
+if command -v parallel >/dev/null; then
+    MACHINES=: sh "$ROOT/examples/many.sh" 'machi nes' a.svg 'b b.svg' >"$TMP/out" 2>&1
+    same "on machines: the first" 'machi nes/a.png' one.png
+    same "on machines: the second" 'machi nes/b b.png' two.png
+    touch -d '1 minute ago' a.svg
+    before=$(stat -c %y 'machi nes/a.png')
+    MACHINES=: sh "$ROOT/examples/many.sh" 'machi nes' a.svg 2>"$TMP/err"
+    is "on machines: what is new enough stays" "$? $(stat -c %y 'machi nes/a.png')" "0 $before"
+else
+    skip "many.sh on machines" "no GNU parallel here (Debian: parallel)"
+fi

@@ -1,16 +1,17 @@
 # SPDX-License-Identifier: MIT
-# What is installed is whole, and one number, the Makefile's VERSION, is said everywhere.
+# What is installed is whole, and one version number is said everywhere.
 . "$ROOT/tests/check.sh"
-version=$(sed -n 's/^VERSION *= *//p' "$ROOT/Makefile")
+unset MAKEFLAGS MAKELEVEL MFLAGS
+version=$(make -s -C "$ROOT" version)
 if [[ $version =~ ^[0-9]+\.[0-9]+\.[0-9]+$ ]]; then ok "a version of three numbers"; else fail "a version of three numbers" "$version"; fi
 is "plumbago --version" "$("$PLUMBAGO" --version | head -n 1)" "plumbago $version"
 is "plumbago-profile --version" "$("$PLUMBAGO_PROFILE" --version | head -n 1)" "plumbago-profile $version"
 is "the newest in NEWS" "$(sed -n 's/^## \([0-9.]*\).*/\1/p' "$ROOT/NEWS.md" | head -n 1)" "$version"
+is "the newest in the packages' changelog" "$(sed -n '1s/.*(\([0-9.]*\).*/\1/p' "$ROOT/examples/packaging/debian/changelog")" "$version"
 stale=$(grep -noE '\bplb_version\b.*|(/\* "|\.Ql )[0-9]+\.[0-9]+\.[0-9]+' "$ROOT/src/api/plumbago.h" "$ROOT"/man/*.3 | grep -E '[0-9]+\.[0-9]+\.[0-9]+' | grep -vF "$version")
 report "the header and its manual" "$stale"
 
 # Into a folder, from what is built: make is told that the programs are new enough.
-unset MAKEFLAGS MAKELEVEL MFLAGS
 root=$PWD/root
 build=${BUILD_DIR##*/}
 if ! make -s -C "$ROOT" -o all BUILD="${build%%-*}" SUFFIX="${build#"${build%%-*}"}" DESTDIR="$root" PREFIX=/opt/plumbago install >"$TMP/out" 2>&1; then
