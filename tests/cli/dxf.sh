@@ -82,12 +82,43 @@ draws "line ends of DOS" -o x.png dos.dxf
 # Without the library the reason is told.
 mkdir only && cp "$BUILD_DIR/tap-svg" only/ && printf '#!/bin/sh\nexit 127\n' >only/tap-dxf && chmod +x only/tap-dxf && cp "$BUILD_DIR/plumbago" only/
 PLUMBAGO=$PWD/only/plumbago refuses "no python" "reading DXF needs python3" line.dxf
-sed '1s/.*/#!\/usr\/bin\/python3 -ISB/' "$ROOT/src/tap/dxf/tap_dxf.py" >only/tap-dxf # -S: without installed packages
+sed 's|for lib in (.*)$|for lib in ["/nonexistent"]|' "$ROOT/src/tap/dxf/tap_dxf.py" >only/tap-dxf
 PLUMBAGO=$PWD/only/plumbago refuses "no ezdxf" "reading DXF needs the package python3-ezdxf" line.dxf
 rm only/tap-dxf
 if [ ! -e "$(sed -n 's/.*PLB_LIBEXECDIR="\([^"]*\)".*/\1/p' <<<"${CFLAGS:-}")/tap-dxf" ] && [ ! -e /usr/local/libexec/plumbago/tap-dxf ]; then
     PLUMBAGO=$PWD/only/plumbago refuses "no tap-dxf" "the helper program tap-dxf is missing" line.dxf
 fi
+
+# Whoever draws, and whatever else is installed: matplotlib, which would want a home folder, is not asked.
+"$PLUMBAGO" -q --dump=list "$stage/entities.dxf" >whole 2>"$TMP/err" || cp "$TMP/err" whole
+mkdir home && mkdir -m 000 closed
+for home in "HOME=$PWD/home" HOME= "HOME=$PWD/closed" HOME=/nonexistent "--unset=HOME" "MPLBACKEND=nonsense" "XDG_CONFIG_HOME=relative" "PYTHONPATH=$PWD/home"; do
+    env "$home" "$PLUMBAGO" -q --dump=list "$stage/entities.dxf" >again 2>"$TMP/err"
+    is "with ${home/$PWD\//}" "$? $(cat "$TMP/err")" "0 "
+    same "with ${home/$PWD\//}: the same" again whole
+done
+if [ "$(id -u)" -eq 0 ] && setpriv --reuid=65534 --regid=65534 --clear-groups test -x "$PLUMBAGO" 2>/dev/null; then
+    setpriv --reuid=65534 --regid=65534 --clear-groups "$PLUMBAGO" -q --dump=list - <"$stage/entities.dxf" >again 2>"$TMP/err"
+    is "by nobody" "$? $(cat "$TMP/err")" "0 "
+    same "by nobody: the same" again whole
+else
+    skip "by nobody" "the tests are not run by root, or he may not enter the build's folder"
+fi
+# The reason is the true one: a package that is there and fails says how.
+mkdir only2 && cp "$BUILD_DIR/plumbago" only2/ && sed 's/^    import ezdxf$/    raise RuntimeError("it is broken")/' "$ROOT/src/tap/dxf/tap_dxf.py" >only2/tap-dxf && chmod +x only2/tap-dxf
+PLUMBAGO=$PWD/only2/plumbago refuses "a package that fails" "python3-ezdxf cannot be used: RuntimeError: it is broken" line.dxf
+# Ten lines, in processor time; most of it loads the library.
+{ printf '%s\n' 0 SECTION 2 ENTITIES; for i in {1..10}; do printf '%s\n' 0 LINE 8 0 10 $i 20 0 11 $i 21 9; done; printf '%s\n' 0 ENDSEC 0 EOF; } >ten.dxf
+case $BUILD_DIR in
+*release*)
+    best=9
+    for i in 1 2 3; do
+        cost=$({ TIMEFORMAT='%U %S'; time "$BUILD_DIR/tap-dxf" <ten.dxf >"$TMP/out" 2>"$TMP/err"; } 2>&1 | awk '{ print $1 + $2 }')
+        best=$(awk -v a="$best" -v b="$cost" 'BEGIN { print a < b ? a : b }')
+    done
+    is "ten lines take less than half a second ($best s)" "$(awk -v b="$best" 'BEGIN { print b < .5 }')" 1
+    ;;
+esac
 
 # The same bytes each time (the library's sets have an order of their own in each process).
 "$PLUMBAGO" -q --dump=list "$stage/plan.dxf" >first

@@ -1,4 +1,4 @@
-#!/usr/bin/python3 -sBP
+#!/usr/bin/python3 -ISB
 # SPDX-License-Identifier: MIT
 """tap-dxf: DXF on descriptor 0 becomes SVG on descriptor 1, sized in millimetres on paper.
 
@@ -12,13 +12,20 @@ The first line of the output is for the caller, the document follows:
 SCALE is millimetres on paper per millimetre in the drawing. Messages are lines on standard error, "warning: ..." or
 "detail: ..." (exit status 0), or the one reason for failing (exit status 2 to 6, see EXIT_ below); where a line of the
 file is to blame the reason starts with its number and a colon.
+
+Nothing depends on who the user is and what else is installed: Python starts isolated (-I: no PYTHON variables, no user's
+packages) and without site (-S: no .pth files of other packages), the home folder is one that is not there, and matplotlib,
+which ezdxf would take for text when it is there, is hidden. Most of the time of a small drawing goes into loading ezdxf, so the
+parts that no drawing needs are left out: the parser of queries (pyparsing) and the package of addons.
 """
+import importlib.machinery
 import io
 import logging
 import math
 import os
 import re
 import sys
+import types
 
 EXIT_DONE, EXIT_USAGE, EXIT_MALFORMED, EXIT_REFUSED, EXIT_WRITE, EXIT_LIMIT, EXIT_MISSING = range(7)
 
@@ -29,7 +36,43 @@ def quit_with(status, message):
     os._exit(status)
 
 
+class EntityNames:
+    """The queries that the library makes itself: names of entities with blanks between."""
+
+    @staticmethod
+    def parseString(text, parseAll=True):
+        return types.SimpleNamespace(EntityQuery=text.split(), AttribQuery="", AttribQueryOptions="")
+
+
+def prepare_import():
+    """Says where packages of the system are, and takes the place of the modules that are not to be loaded."""
+    for variable in [name for name in os.environ if name.startswith(("XDG_", "EZDXF_"))]:
+        del os.environ[variable]
+    os.environ["HOME"] = "/nonexistent"
+    version = f"python{sys.version_info[0]}.{sys.version_info[1]}"
+    sys.path += [f"{lib}/{python}/{kind}-packages" for lib in ("/usr/local/lib", "/usr/lib", "/usr/lib64")
+                 for python in (version, "python3") for kind in ("dist", "site")]
+    sys.modules["matplotlib"] = None  # to import it fails as if it were not there
+    found = importlib.machinery.PathFinder.find_spec("ezdxf")
+    if found and found.submodule_search_locations:
+        sys.modules["ezdxf.queryparser"] = types.ModuleType("ezdxf.queryparser")
+        sys.modules["ezdxf.queryparser"].EntityQueryParser = EntityNames
+        sys.modules["ezdxf.addons"] = types.ModuleType("ezdxf.addons")
+        sys.modules["ezdxf.addons"].__path__ = [folder + "/addons" for folder in found.submodule_search_locations]
+    return found is not None
+
+
+def quit_without_library(is_there, e):
+    if isinstance(e, MemoryError) or "map segment" in str(e):
+        quit_with(EXIT_LIMIT, "the drawing needs too much memory")
+    if not is_there:
+        quit_with(EXIT_MISSING, "reading DXF needs the package python3-ezdxf")
+    quit_with(EXIT_MISSING, f"python3-ezdxf cannot be used: {type(e).__name__}: {e}")
+
+
+library_is_there = False
 try:
+    library_is_there = prepare_import()
     import ezdxf
     from ezdxf import const, recover
     from ezdxf.addons.drawing import Frontend, RenderContext
@@ -44,10 +87,8 @@ try:
     from ezdxf.render import hatching
     from ezdxf.tools import fonts
     from ezdxf.tools.fonts import AbstractFont, FontMeasurements
-except (ImportError, MemoryError, OSError) as e:
-    if isinstance(e, MemoryError) or "map segment" in str(e):
-        quit_with(EXIT_LIMIT, "the drawing needs too much memory")
-    quit_with(EXIT_MISSING, "reading DXF needs the package python3-ezdxf")
+except Exception as e:  # whatever it is, the user hears of it
+    quit_without_library(library_is_there, e)
 
 # The preferred scales of ISO 5455, and the ones beyond its ends made in the same way.
 SCALES = sorted((a * 10.0**b for a in (1, 2, 5) for b in range(-12, 3)), reverse=True)
