@@ -194,6 +194,12 @@ fuzz:
 	+$(Q)$(MAKE) --no-print-directory BUILD=fuzz CC=clang fuzz-programs
 fuzz-programs: $(fuzzers:%=$(O)/fuzz_%)
 
+# Each of them in turn, MINUTES long, with the counts.
+MINUTES = 1
+.PHONY: fuzz-all
+fuzz-all: fuzz
+	$(Q)tests/fuzz/all.sh build/fuzz $(MINUTES)
+
 .PHONY: asan ubsan tsan
 asan ubsan tsan:
 	+$(Q)$(MAKE) --no-print-directory BUILD=$@ all
@@ -292,6 +298,7 @@ help:
 	@echo 'make check-long what takes an hour: sanitizers, valgrind, failing writes and allocations (Debian: valgrind)'
 	@echo 'make lint       clang-tidy and cppcheck over all C (Debian: clang-tidy cppcheck)'
 	@echo 'make fuzz       fuzzers of the readers, in build/fuzz (clang)'
+	@echo 'make fuzz-all   every fuzzer in turn, MINUTES=N each'
 	@echo 'make bench      speed, as ratios to rsvg-convert'
 	@echo 'make figures    the figures of the papers, in build/figures'
 	@echo 'make fidelity   do drawings show what the print shows? a table and contact sheets'

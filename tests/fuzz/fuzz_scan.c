@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture from a scan. An even first byte: the rest are the bytes of a PNG file. An odd one: bytes 1 to 4 give width,
- * height and resolution, the rest the grey pixels, over and over; so the fuzzer need not guess checksums.
+ * Capture from a scan. An even first byte: the rest are the bytes of a PNG file, whose signature and checksums are set right,
+ * since no fuzzer guesses those. An odd one: bytes 1 to 4 give width, height and resolution, the rest the grey pixels, over and over.
  */
 #define _GNU_SOURCE /* memfd_create */
 #include "fuzz.h"
@@ -14,6 +14,7 @@
 #include <string.h>
 #include <sys/mman.h>
 #include <unistd.h>
+#include <zlib.h>
 
 /* A PNG of these pixels into `to`. */
 static void write_png(FILE *to, const uint8_t *data, size_t size)
@@ -40,6 +41,40 @@ static void write_png(FILE *to, const uint8_t *data, size_t size)
     png_destroy_write_struct(&png, &info);
 }
 
+static uint32_t number_at(const uint8_t *at) { return (uint32_t)at[0] << 24 | (uint32_t)at[1] << 16 | (uint32_t)at[2] << 8 | at[3]; }
+
+static void put_number(uint8_t *at, uint32_t value)
+{
+    for (int i = 0; i < 4; i++)
+        at[i] = (uint8_t)(value >> (24 - 8 * i));
+}
+
+/* The signature, and the checksum of each whole chunk: length, type, data, checksum (PNG, section 5.3). */
+static void mend_png(uint8_t *data, size_t size)
+{
+    static const uint8_t signature[8] = {137, 'P', 'N', 'G', 13, 10, 26, 10};
+    if (size < sizeof signature)
+        return;
+    memcpy(data, signature, sizeof signature);
+    for (size_t at = sizeof signature; size - at >= 12;) {
+        size_t n = number_at(data + at);
+        if (n > size - at - 12)
+            break;
+        put_number(data + at + 8 + n, (uint32_t)crc32(0, data + at + 4, (unsigned)n + 4));
+        at += 12 + n;
+    }
+}
+
+static void write_mended(FILE *to, const uint8_t *data, size_t size)
+{
+    uint8_t *right = malloc(size);
+    fuzz_require(right != NULL);
+    memcpy(right, data, size);
+    mend_png(right, size);
+    fwrite(right, 1, size, to);
+    free(right);
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     if (size < 5)
@@ -50,7 +85,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     if (data[0] % 2)
         write_png(to, data + 1, size - 1);
     else
-        fwrite(data + 1, 1, size - 1, to);
+        write_mended(to, data + 1, size - 1);
     fflush(to);
     char name[64];
     snprintf(name, sizeof name, "/proc/self/fd/%d", fd);

@@ -1,0 +1,30 @@
+#!/bin/bash
+# SPDX-License-Identifier: MIT
+# Every fuzzer in turn, and the counts: tests/fuzz/all.sh BUILD_DIR MINUTES [NAME...]. Each runs so many minutes, from the kept
+# inputs and from those that earlier runs found (BUILD_DIR/corpus-NAME). What breaks something lies in BUILD_DIR/found-NAME.
+root=$(cd "$(dirname "$0")/../.." && pwd)
+build=$1 minutes=${2:-1}
+shift 2
+[ $# -gt 0 ] || set -- $(cd "$root/tests/fuzz" && ls fuzz_*.c | sed 's/^fuzz_\(.*\)\.c$/\1/') dxf
+failed=0
+printf '%-14s %10s %8s %8s %8s  %s\n' harness runs 'runs/s' edges inputs result
+for name; do
+    mkdir -p "$build/corpus-$name" "$build/found-$name"
+    log=$build/fuzz-$name.log
+    if [ "$name" = dxf ]; then
+        nice "$root/tests/fuzz/fuzz_dxf.py" "$root/src/tap/dxf/tap_dxf.py" fuzz $((minutes * 60)) 1 "$build/found-dxf" "$root"/tests/fuzz/corpus-dxf/* "$root"/tests/stage/*.dxf >"$log" 2>&1
+        code=$?
+        printf '%-14s %s\n' dxf "$(tail -n 1 "$log")"
+    else
+        seeds=("$root/tests/fuzz/corpus-$name")
+        [ "$name" = profile ] && seeds+=("$root/profiles")
+        nice "$build/fuzz_$name" -max_total_time=$((minutes * 60)) -print_final_stats=1 -timeout=30 -rss_limit_mb=2048 -max_len=65536 \
+            -artifact_prefix="$build/found-$name/" "$build/corpus-$name" "${seeds[@]}" >"$log" 2>&1
+        code=$?
+        printf '%-14s %10s %8s %8s %8s  %s\n' "$name" "$(sed -n 's/^stat::number_of_executed_units: *//p' "$log")" \
+            "$(sed -n 's/^stat::average_exec_per_sec: *//p' "$log")" "$(grep -o 'cov: [0-9]*' "$log" | tail -n 1 | cut -d' ' -f2)" \
+            "$(ls "$build/corpus-$name" | wc -l)" "$([ $code -eq 0 ] && echo good || grep -m 1 -E 'ERROR|runtime error' "$log" | cut -c 1-120)"
+    fi
+    [ $code -eq 0 ] || failed=1
+done
+exit $failed
