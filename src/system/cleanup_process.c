@@ -28,11 +28,11 @@ static _Noreturn void keep(const keeper_task *task, const char *path, int line)
     signal(SIGHUP, SIG_IGN);
     signal(SIGINT, SIG_IGN);
     signal(SIGPIPE, SIG_IGN);
+    int reason = task->make(path, task->descriptor) ? 0 : errno;
     dup2(line, 0); /* nothing of ours may stay open: others wait for its end */
     if (syscall(SYS_close_range, 1u, ~0u, 0u) != 0)
         for (int fd = 1; fd < 65536; fd++)
             close(fd);
-    int reason = task->make(path) ? 0 : errno;
     bool is_heard = write(0, &reason, sizeof reason) == sizeof reason;
     if (reason == 0 && (!is_heard || !receive(0, &byte, 1)))
         task->remove(path);

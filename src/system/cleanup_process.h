@@ -13,11 +13,12 @@ typedef struct {
     pid_t pid;
 } cleanup_process;
 
-/* What is kept: a file or a folder of some name. Both are called in a process that is forked from one that may have threads,
+/* A file or a folder of some name. Both functions are called in a process that is forked from one that may have threads,
  * so they may call nothing that takes a lock. */
 typedef struct {
-    bool (*make)(const char *path); /* false and errno when it cannot be made */
+    bool (*make)(const char *path, int descriptor); /* false and errno when it cannot be made */
     void (*remove)(const char *path);
+    int descriptor; /* an open one, for `make`; others do not mind */
 } keeper_task;
 
 /* Starts a cleanup_process, which makes the thing and removes it when this process has gone: at no time is it there without a cleanup_process.

@@ -80,17 +80,26 @@ static char *temporary_name(const char *folder, unsigned try)
 /* More tries than that would be a folder full of our own leftovers. */
 #define MAX_TRIES 1000
 
-static bool make_file(const char *name)
+static bool make_file(const char *name, int none)
 {
+    (void)none;
     int fd = open(name, O_CREAT | O_EXCL | O_WRONLY, 0666);
     return fd >= 0 && close(fd) == 0;
 }
 static void remove_file(const char *name) { unlink(name); }
 
+/* Gives a nameless file a name. */
+static bool link_file(const char *name, int fd)
+{
+    char self[64];
+    snprintf(self, sizeof self, "/proc/self/fd/%d", fd);
+    return linkat(AT_FDCWD, self, AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
+}
+
 /* A cleanup_process makes it, we write into it. */
 static int open_kept(output *out)
 {
-    static const keeper_task task = {make_file, remove_file};
+    static const keeper_task task = {make_file, remove_file, -1};
     out->is_kept = plb_cleanup_process_start(&out->cleanup_process, &task, out->temporary);
     if (!out->is_kept)
         return -1;
@@ -130,7 +139,21 @@ static int open_nameless(const char *folder)
 #endif
 }
 
-static bool open_beside(output *out, error *err)
+/* A file that takes another's place has its owner and mode, as far as this user may give them. What cannot be given to the
+ * group is given to nobody: rights that others have the new group may have, too. */
+static void take_access(int fd, const struct stat *before)
+{
+    mode_t mode = before->st_mode & 07777;
+    if (fchown(fd, before->st_uid, before->st_gid) != 0) {
+        mode &= 0777;
+        if (fchown(fd, (uid_t)-1, before->st_gid) != 0)
+            mode = (mode & 0707) | ((mode & 07) << 3 & mode);
+    }
+    if (fchmod(fd, mode) != 0)
+        return; /* a file system that has no modes */
+}
+
+static bool open_beside(output *out, const struct stat *before, error *err)
 {
     char *folder = folder_of(out->name);
     if (!folder)
@@ -138,6 +161,8 @@ static bool open_beside(output *out, error *err)
     int fd = open_nameless(folder);
     if (fd < 0)
         fd = open_named(out, folder);
+    if (fd >= 0 && before)
+        take_access(fd, before);
     out->to = fd < 0 ? NULL : fdopen(fd, "wb");
     int reason = errno;
     plb_free(folder);
@@ -151,7 +176,10 @@ static bool open_beside(output *out, error *err)
 static bool open_direct(output *out, error *err)
 {
     int fd = strcmp(out->asked, "-") ? open(out->asked, O_WRONLY | O_CLOEXEC) : dup(STDOUT_FILENO);
-    out->to = fd < 0 ? NULL : fdopen(fd, "wb");
+    bool is_readonly = fd >= 0 && (fcntl(fd, F_GETFL) & O_ACCMODE) == O_RDONLY; /* standard output was closed */
+    out->to = fd < 0 || is_readonly ? NULL : fdopen(fd, "wb");
+    if (is_readonly)
+        errno = EBADF;
     if (out->to)
         return true;
     int reason = errno;
@@ -173,31 +201,36 @@ bool plb_output_open(output *out, const char *file, error *err)
     out->name = follow(file);
     if (!out->name)
         return errno == ENOMEM ? plb_fail_memory(err) : fail(err, file, "cannot be written", errno);
-    if (open_beside(out, err))
+    if (open_beside(out, there ? &st : NULL, err))
         return true;
     plb_output_discard(out);
     return false;
 }
 
-/* Gives a nameless file its name; one that is in the way is replaced in one step. */
+/* Gives a nameless file its name. One that is in the way is replaced in one step, by a temporary name, which a cleanup_process
+ * gives: a signal that nobody can catch may end us before the next step. */
 static bool give_name(output *out)
 {
-    char self[64];
-    snprintf(self, sizeof self, "/proc/self/fd/%d", fileno(out->to));
-    if (linkat(AT_FDCWD, self, AT_FDCWD, out->name, AT_SYMLINK_FOLLOW) == 0)
+    if (link_file(out->name, fileno(out->to)))
         return true;
     if (errno != EEXIST)
         return false;
+    const keeper_task task = {link_file, remove_file, fileno(out->to)};
     char *folder = folder_of(out->name);
-    for (unsigned try = 0; folder && try < MAX_TRIES; try++) {
+    for (unsigned try = 0; folder && try < MAX_TRIES && !out->is_kept; try++) {
         out->temporary = temporary_name(folder, try);
-        if (out->temporary && linkat(AT_FDCWD, self, AT_FDCWD, out->temporary, AT_SYMLINK_FOLLOW) == 0)
+        out->is_kept = out->temporary && plb_cleanup_process_start(&out->cleanup_process, &task, out->temporary);
+        if (out->is_kept)
             break;
         plb_free(out->temporary);
         out->temporary = NULL;
+        if (errno != EEXIST)
+            break;
     }
+    int reason = errno;
     plb_free(folder);
-    return out->temporary != NULL;
+    errno = reason;
+    return out->is_kept;
 }
 
 /* The name that it has meanwhile becomes the one that was asked for. */
@@ -217,7 +250,7 @@ static bool close_it(output *out)
     return ok;
 }
 
-/* Between link and rename no signal may end us: the name in between has no cleanup_process. */
+/* Between the temporary name and its end no signal ends us half-way: what can be held waits. */
 static void hold_signals(sigset_t *before)
 {
     sigset_t all;

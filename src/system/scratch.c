@@ -72,7 +72,7 @@ static bool fail(error *err, const char *folder)
     return plb_fail(err, ERROR_FILE, "cannot make a temporary folder in %.200s: %s", folder, strerror(errno));
 }
 
-static bool make_folder(const char *path) { return mkdir(path, 0700) == 0; }
+static bool make_folder(const char *path, int none) { return (void)none, mkdir(path, 0700) == 0; }
 
 /* A name that nobody has or guesses. */
 static void choose_name(char name[SCRATCH_PATH_MAX], const char *root, unsigned try)
@@ -89,7 +89,7 @@ static void choose_name(char name[SCRATCH_PATH_MAX], const char *root, unsigned 
 
 bool plb_scratch_open(scratch *s, error *err)
 {
-    static const keeper_task task = {make_folder, remove_folder};
+    static const keeper_task task = {make_folder, remove_folder, -1};
     const char *root = temporary_root();
     for (unsigned try = 0; try < NAMES; try++) {
         choose_name(s->folder, root, try);

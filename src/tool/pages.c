@@ -49,7 +49,7 @@ bool pages_is_one(const char *list)
     return pages_next(&list, &range) && range.first == range.last && !*list;
 }
 
-/* The first %d or %0Nd, N one digit: where it starts, how long it is, and N; NULL: none. */
+/* Finds the first %d or %0Nd, N one digit, with its length and N; NULL: there is none. */
 static const char *find_number(const char *name, size_t *length, int *digits)
 {
     for (const char *p = name; (p = strchr(p, '%')); p++) {
@@ -71,14 +71,15 @@ bool pages_has_number(const char *name)
 
 char *pages_name(const char *name, unsigned page)
 {
-    size_t length = 0, room = strlen(name) + 16;
-    int digits = 1;
-    const char *at = find_number(name, &length, &digits);
-    char *made = malloc(room);
-    if (made && at)
-        snprintf(made, room, "%.*s%0*u%s", (int)(at - name), name, digits, page, at + length);
-    else if (made)
-        strcpy(made, name);
+    size_t length, room = strlen(name) + 1;
+    int digits;
+    for (const char *at = name; (at = find_number(at, &length, &digits)); at += length)
+        room += 16; /* more than any number takes */
+    char *made = malloc(room), *to = made;
+    for (const char *at; made && (at = find_number(name, &length, &digits)); name = at + length)
+        to += snprintf(to, room - (size_t)(to - made), "%.*s%0*u", (int)(at - name), name, digits, page);
+    if (made)
+        strcpy(to, name);
     return made;
 }
 

@@ -22,7 +22,7 @@ bool pages_is_one(const char *list);
 
 /* Whether a name has a place for the page's number: %d or, with zeros in front, %03d. */
 bool pages_has_number(const char *name);
-/* The name with the number in its place, or as it is. The caller frees; NULL: out of memory. */
+/* The name with the number in each of its places, or as it is. The caller frees; NULL: out of memory. */
 char *pages_name(const char *name, unsigned page);
 /* The input's name with .png, or -%d.png, in place of its suffix. The caller frees; NULL: out of memory. */
 char *pages_name_output(const char *input, bool numbered);

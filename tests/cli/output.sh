@@ -56,3 +56,26 @@ same "--colour with other threads: the same bytes" c5.png c.png
 draws "without --colour" -o grey.png c.svg
 is "without --colour: grey" "$(info grey.png colour)" grey
 misused "--colour takes no value" colour --colour=red c.svg
+
+# A picture that takes another's place keeps its mode and its owner; a new one has what umask leaves.
+example mode.svg
+for mode in 600 640 444; do
+    echo old >mode.png && chmod $mode mode.png
+    plumbago -d 20 -o mode.png mode.svg
+    is "the mode $mode is kept" "$status $(stat -c %a mode.png)" "0 $mode"
+    rm -f mode.png
+done
+(umask 027 && "$PLUMBAGO" -d 20 -o mode.png mode.svg)
+is "a new file has what umask leaves" "$(stat -c %a mode.png)" 640
+if [ "$(id -u)" -eq 0 ]; then
+    chown 65534:65534 mode.png
+    plumbago -d 20 -o mode.png mode.svg
+    is "the owner is kept" "$(stat -c '%u:%g %a' mode.png)" "65534:65534 640"
+fi
+
+# Standard output that is closed: one line.
+for args in --help --version --list-pencils '--dump=list mode.svg' '-o - mode.svg'; do
+    # shellcheck disable=SC2086
+    "$PLUMBAGO" $args 2>"$TMP/err" >&-
+    is "standard output is closed: $args" "$? $(cat "$TMP/err")" "1 plumbago: standard output: cannot be written: Bad file descriptor"
+done

@@ -50,6 +50,9 @@ for file in $sources; do
     is "$file: --page 3" "$(lines_on --page=3 - <$file)" 3
     refuses "$file: --page 4" 'no page 4, only 3' --page 4 $file
     misused "$file: several pages, one name" '%d' --page all -o one.png $file
+    plumbago --page 2,3 -d 50 -o '%d%d-%03d.png' $file
+    is "$file: a number in each place" "$status $(ls [0-9]*.png | tr '\n' ' ')" '0 22-002.png 33-003.png '
+    rm -f [0-9]*.png
     plumbago --page all -d 50 -o 'all-%02d.png' $file
     is "$file: --page all" "$status $(echo all-*)" '0 all-01.png all-02.png all-03.png'
     plumbago --page 2-3 -d 50 $file

@@ -69,3 +69,31 @@ echo keep >without.png
 "$without" "$PLUMBAGO" -d 10 --dump=strokes -o without.png a.svg 2>"$TMP/err"
 is "without O_TMPFILE: a dump" "$? $(head -c 9 without.png)" "0 $("$PLUMBAGO" --dump=strokes a.svg | head -c 9)"
 is "without O_TMPFILE: nothing is left" "$(find . -name '.plumbago-*')" ""
+
+# Killed between the two steps in which a file takes another's place: the temporary name goes.
+if strace -o /dev/null true 2>/dev/null; then
+    echo keep >taken.png
+    strace -o /dev/null -e trace=rename -e inject=rename:signal=SIGKILL "$PLUMBAGO" -d 20 -o taken.png a.svg 2>"$TMP/err"
+    is "killed at rename: the status says so" $? $((128 + 9))
+    if gone; then ok "killed at rename: no name is left"; else fail "killed at rename: no name is left" "$(listing | tr '\n' ' ')"; fi
+else
+    skip "killed at rename" "no strace here, or it may not trace (Debian: strace)"
+fi
+
+# Stopped for longer than a silent reader may take (Ctrl-Z), and resumed: the same drawing. A reader that is slow to get a
+# processor is not at fault either.
+printf '%%!PS\n/Helvetica findfont 24 scalefont setfont 1 1 40 { 60 moveto (Plumbago) show } for showpage\n' >letters.ps
+example stopped.svg
+for drawing in stopped.svg letters.ps; do
+    [ $drawing = letters.ps ] && ! command -v gs >/dev/null && continue
+    "$PLUMBAGO" -q --limit-time 2 --dump=list $drawing >whole.txt
+    setsid "$PLUMBAGO" -q --limit-time 2 --dump=list -o resumed.txt $drawing 2>"$TMP/err" &
+    pid=$!
+    sleep .1
+    kill -s STOP -- -$pid 2>/dev/null
+    sleep 8
+    kill -s CONT -- -$pid 2>/dev/null
+    wait $pid
+    is "$drawing, stopped for 8 s: drawn" "$? $(cat "$TMP/err")" "0 "
+    same "$drawing, stopped for 8 s: the same" resumed.txt whole.txt
+done
