@@ -43,7 +43,7 @@ bool plb_api_check(const plb_options *o, error *err)
         return plb_fail(err, ERROR_ARGUMENT, "the squiggle must be at most 1 m");
     if (!(o->limit_time >= 1 && o->limit_time <= 1e6 && o->limit_memory >= 64 && o->limit_memory <= 1e6))
         return plb_fail(err, ERROR_ARGUMENT, "the limits must be 1 to 1e6 seconds and 64 to 1e6 MiB");
-    if (o->model > PLB_MODEL_GRAPHITE || o->arm > PLB_ARM_TORQUE || o->background > PLB_BACKGROUND_NONE || o->handed > PLB_HAND_NONE)
+    if (!plb_model_at(o->model) || (o->arm != PLB_ARM_DEFAULT && !plb_arm_at(o->arm - 1u)) || o->background > PLB_BACKGROUND_NONE || o->handed > PLB_HAND_NONE)
         return plb_fail(err, ERROR_ARGUMENT, "there is no such model, arm, hand or background");
     if (!(o->overshoot >= 0 && o->overshoot <= 100 && o->restate >= 0 && o->restate <= 1))
         return plb_fail(err, ERROR_ARGUMENT, "lines run past corners by 0 to 100 mm, and a share of 0 to 1 is drawn twice");

@@ -20,9 +20,6 @@ bool plb_api_check(const plb_options *o, error *err);
 /* What the options, which make sense, ask of the plan. */
 plan_options plb_api_plan_options(const plb_options *o);
 
-/* The arm that is meant where the options leave it to the model. */
-plb_arm plb_api_arm(const plb_options *o);
-
 /* The pencil of a call, ready to draw: borrowed from the options or HB, loaded for the call. */
 typedef struct {
     plb_profile *own; /* NULL when borrowed */

@@ -14,13 +14,13 @@ __attribute__((weak)) bool plb_test_may_allocate(void);
 #define MAY_ALLOCATE true
 #endif
 
-bool plb_array_grow(void **v, size_t n, size_t *room, size_t extra, size_t size)
+bool plb_array_grow(void **v, size_t n, size_t *capacity, size_t extra, size_t size)
 {
-    if (extra <= *room - n)
+    if (extra <= *capacity - n)
         return true;
     if (extra > SIZE_MAX / 2 / size - n)
         return false;
-    size_t want = n + extra, twice = *room * 2;
+    size_t want = n + extra, twice = *capacity * 2;
     size_t next = want > twice ? want : twice;
     if (next < 8)
         next = 8;
@@ -28,7 +28,7 @@ bool plb_array_grow(void **v, size_t n, size_t *room, size_t extra, size_t size)
     if (!p)
         return false;
     *v = p;
-    *room = next;
+    *capacity = next;
     return true;
 }
 

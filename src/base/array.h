@@ -16,15 +16,15 @@
 #define ARRAY(type) \
     struct { \
         type *v; \
-        size_t n, room; \
+        size_t n, capacity; \
     }
 
 /* Room for `extra` more elements; false when out of memory. */
-#define array_reserve(a, extra) plb_array_grow((void **)&(a)->v, (a)->n, &(a)->room, (extra), sizeof *(a)->v)
+#define array_reserve(a, extra) plb_array_grow((void **)&(a)->v, (a)->n, &(a)->capacity, (extra), sizeof *(a)->v)
 #define array_push(a, item) (array_reserve((a), 1) ? ((a)->v[(a)->n++] = (item), true) : false)
-#define array_free(a) (plb_free((a)->v), (a)->v = NULL, (a)->n = (a)->room = 0)
+#define array_free(a) (plb_free((a)->v), (a)->v = NULL, (a)->n = (a)->capacity = 0)
 
-bool plb_array_grow(void **v, size_t n, size_t *room, size_t extra, size_t size);
+bool plb_array_grow(void **v, size_t n, size_t *capacity, size_t extra, size_t size);
 /* Zeroed room for `n` elements of `size` bytes, owned by the caller; NULL on overflow or when out of memory. */
 void *plb_new(size_t n, size_t size);
 /* The same, asked of the system in large pages where it has them: for what is used all over, as one likes. */

@@ -19,7 +19,7 @@ static bool read_all(int fd, const char *name, bytes *all, error *err)
     for (;;) {
         if (!array_reserve(all, PART_BYTES))
             return plb_fail_memory(err);
-        ssize_t n = read(fd, all->v + all->n, all->room - all->n);
+        ssize_t n = read(fd, all->v + all->n, all->capacity - all->n);
         if (n < 0 && errno == EINTR)
             continue;
         if (n < 0)

@@ -6,7 +6,7 @@
 #define PLB_STROKE_PENCIL_H
 
 #include "stroke/texture/graphite/paper.h"
-#include "stroke/stroke.h"
+#include "stroke/texture/models.h"
 
 #define CENTRE_STEPS 4096
 
@@ -39,7 +39,7 @@ typedef struct {
     int16_t slow[GRAIN_MODES][SLOW_LENGTH];
     int16_t root[GRAIN_PLACES_PADDED];              /* of the section at the modes' places */
     int16_t mode[GRAIN_MODES][GRAIN_PLACES_PADDED];
-    int8_t bend[ROUGH_CLASSES][256]; /* normal score of field value k - 128, less the field value */
+    int8_t score_correction[ROUGH_CLASSES][256]; /* normal score of field value k - 128, less the field value */
     struct {
         uint8_t share; /* how much of that difference holds, of 256 */
         uint8_t row;   /* of the table of darkness: close together where little is expected */

@@ -12,12 +12,12 @@
 enum { STEPS = 400 };
 
 /* Speed at the middles of even time steps, in lengths a duration; returns where it is largest, as a share of the time. */
-static double speed_of(arm_model arm, uint64_t identity, double v[STEPS])
+static double speed_of(const arm_model *arm, uint64_t identity, double v[STEPS])
 {
     stroke_options o = {.seed = 1, .arm = arm};
     int peak = 0;
     for (int i = 0; i < STEPS; i++) {
-        v[i] = STEPS * (plb_arm_progress(identity, &o, (i + 1.0) / STEPS) - plb_arm_progress(identity, &o, (double)i / STEPS));
+        v[i] = STEPS * (plb_arm_progress(arm, identity, &o, (i + 1.0) / STEPS) - plb_arm_progress(arm, identity, &o, (double)i / STEPS));
         if (v[i] > v[peak])
             peak = i;
     }
@@ -34,7 +34,7 @@ static void check_bell(const double v[STEPS], double peak)
 
 static void least_jerk_is_a_symmetric_bell(void)
 {
-    double v[STEPS], peak = speed_of(ARM_JERK, 1, v), largest = v[STEPS / 2];
+    double v[STEPS], peak = speed_of(&plb_arm_jerk, 1, v), largest = v[STEPS / 2];
     check_bell(v, peak);
     CHECK_RANGE(peak, 0.495, 0.505);
     CHECK_RANGE(largest, 1.873, 1.876); /* thesis equation 3.2: C = 1.875 */
@@ -45,7 +45,7 @@ static void least_jerk_is_a_symmetric_bell(void)
 static void lognormal_speed_is_a_skewed_bell(void)
 {
     for (uint64_t identity = 1; identity <= 200; identity++) {
-        double v[STEPS], peak = speed_of(ARM_LOGNORMAL, identity, v), sum = 0;
+        double v[STEPS], peak = speed_of(&plb_arm_lognormal, identity, v), sum = 0;
         check_bell(v, peak);
         CHECK_RANGE(peak, 0.3, 0.42); /* early: a quick start, a long approach */
         for (int i = 0; i < STEPS; i++)
@@ -53,19 +53,19 @@ static void lognormal_speed_is_a_skewed_bell(void)
         CHECK(fabs(sum - 1) < 1e-9); /* it arrives */
     }
     double a[STEPS], b[STEPS];
-    speed_of(ARM_LOGNORMAL, 1, a);
-    speed_of(ARM_LOGNORMAL, 2, b);
+    speed_of(&plb_arm_lognormal, 1, a);
+    speed_of(&plb_arm_lognormal, 2, b);
     CHECK(fabs(a[100] - b[100]) > 1e-3); /* no two lines alike */
 }
 
 static void control_points_follow_the_speed(void)
 {
-    stroke_options o = {.seed = 1, .arm = ARM_LOGNORMAL, .squiggle = 0};
+    stroke_options o = {.seed = 1, .arm = &plb_arm_lognormal, .squiggle = 0};
     control c[CONTROLS_MAX];
-    size_t n = plb_path_controls(80, (point){80, 0}, 7, &o, c);
+    size_t n = plb_movement_controls(o.arm, 80, (point){80, 0}, 7, &o, c);
     CHECK(n == 11);
     for (size_t k = 0; k < n; k++)
-        CHECK(fabs(c[k].along - 80 * plb_arm_progress(7, &o, (double)k / 10)) < 1e-9 && c[k].off == 0);
+        CHECK(fabs(c[k].along - 80 * plb_arm_progress(o.arm, 7, &o, (double)k / 10)) < 1e-9 && c[k].off == 0);
     CHECK(c[5].along > 50); /* more than half way at half time */
 }
 
@@ -222,9 +222,9 @@ static void torque_bows_gently(void)
     }
     CHECK_RANGE(most, 1, 3); /* up to 1 to 3 % of 10 cm */
     CHECK_RANGE(least, 0, 0.3);
-    stroke_options o = {.seed = 1, .arm = ARM_TORQUE, .squiggle = 0};
+    stroke_options o = {.seed = 1, .arm = &plb_arm_torque, .squiggle = 0};
     control c[CONTROLS_MAX];
-    size_t n = plb_path_controls(100, (point){60, 80}, 7, &o, c);
+    size_t n = plb_movement_controls(o.arm, 100, (point){60, 80}, 7, &o, c);
     for (size_t k = 0; k < n; k++)
         CHECK(c[k].off == 0); /* --squiggle 0 is a ruler for every arm */
 }

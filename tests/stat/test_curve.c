@@ -6,7 +6,8 @@
 
 #include "base/number/random.h"
 #include "base/number/units.h"
-#include "stroke/arm/trajectory.h"
+#include "stroke/path/via.h"
+#include "stroke/stroke.h"
 
 /* ---- the movement (path_via.c) ---- */
 
@@ -111,8 +112,8 @@ static void draw(curve *c, uint64_t identity)
     c->s.identity = random_mix(identity);
     c->list = (stroke_list){.strokes = {&c->s, 1, 1}, .points = {c->v, c->s.n, c->s.n}};
     c->o.seed = 2;
-    c->o.model = MODEL_GRAPHITE;
-    c->o.arm = ARM_HAND;
+    c->o.model = &plb_model_graphite;
+    c->o.arm = &plb_arm_hand;
     c->o.dpi = 300;
     CHECK(plb_path_sample(&c->list, &c->s, &c->o, &c->path, NULL));
 }
@@ -182,7 +183,7 @@ static void circles_close_with_an_overlap(void)
     }
     CHECK_RANGE(beside, 0.05, 0.6);
     c.s.n = 0;
-    c.o.model = MODEL_HLA; /* the papers' model closes its curves */
+    c.o.model = &plb_model_hla; /* the papers' model closes its curves */
     make_arc(&c, 12, 12, 360);
     c.list = (stroke_list){.strokes = {&c.s, 1, 1}, .points = {c.v, c.s.n, c.s.n}};
     CHECK(plb_path_sample(&c.list, &c.s, &c.o, &c.path, NULL) && c.path.closed);

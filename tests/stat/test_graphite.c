@@ -24,7 +24,7 @@ static void the_hand_wobbles_as_measured(void)
     enum { LINES = 2000 };
     static const double measured[HAND_MODES] = {.56, .22, .14, .095, .066, .044, .034, .031};
     static double amplitude[LINES], extreme[LINES];
-    stroke_options o = {.seed = 5, .squiggle = -1, .model = MODEL_GRAPHITE, .arm = ARM_HAND};
+    stroke_options o = {.seed = 5, .squiggle = -1, .model = &plb_model_graphite, .arm = &plb_arm_hand};
     for (double length = 40; length <= 250; length += 105) {
         for (int k = 0; k < HAND_MODES; k++) {
             for (int i = 0; i < LINES; i++) {
@@ -55,7 +55,7 @@ static void the_hand_wavers_at_every_wavelength(void)
         double from, to, measured;
     } bands[] = {{200, 400, .83}, {100, 200, .46}, {50, 100, .21}};
     const double length = 100, px = 25.4 / 300;
-    stroke_options o = {.seed = 5, .squiggle = -1, .model = MODEL_GRAPHITE, .arm = ARM_HAND};
+    stroke_options o = {.seed = 5, .squiggle = -1, .model = &plb_model_graphite, .arm = &plb_arm_hand};
     for (size_t b = 0; b < sizeof bands / sizeof *bands; b++) {
         double squares = 0;
         for (int i = 0; i < LINES; i++) {
@@ -78,7 +78,7 @@ static void a_hand_is_measured_against_the_free_one(void)
     static double line[PX], ratios[LINES * HAND_MODES];
     const double px = 25.4 / 300;
     for (int share = 1; share <= 10; share += 3) {
-        stroke_options o = {.seed = 5, .squiggle = -1, .hand = share / 10.0, .model = MODEL_GRAPHITE, .arm = ARM_HAND};
+        stroke_options o = {.seed = 5, .squiggle = -1, .hand = share / 10.0, .model = &plb_model_graphite, .arm = &plb_arm_hand};
         int n = 0;
         for (int i = 0; i < LINES; i++) {
             hand h = plb_hand((PX - 1) * px, false, random_mix((uint64_t)i + 1), &o);
@@ -96,7 +96,7 @@ static void a_hand_is_measured_against_the_free_one(void)
 
 static void squiggle_scales_the_hand(void)
 {
-    stroke_options o = {.seed = 5, .squiggle = 0, .model = MODEL_GRAPHITE, .arm = ARM_HAND};
+    stroke_options o = {.seed = 5, .squiggle = 0, .model = &plb_model_graphite, .arm = &plb_arm_hand};
     hand h = plb_hand(100, false, 7, &o);
     CHECK(plb_hand_off(&h, 31) == 0);
     o.squiggle = -1;
@@ -140,7 +140,7 @@ static void the_scans_resolution_changes_nothing(void)
         point ends[2] = {{5, 5}, {55, 12}};
         stroke line = {.identity = 9, .n = 2};
         stroke_list list = {.strokes = {&line, 1, 1}, .points = {ends, 2, 2}};
-        stroke_options o = {.pencil = s.pencil, .seed = 1, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .squiggle = -1, .dpi = 300};
+        stroke_options o = {.pencil = s.pencil, .seed = 1, .model = &plb_model_graphite, .arm = &plb_arm_hand, .squiggle = -1, .dpi = 300};
         stroke_scratch scratch = {0};
         CHECK(plb_stroke_draw(&list, &line, &o, &scratch, add_darkness, &ink[k], NULL));
         plb_stroke_scratch_free(&scratch);
@@ -160,7 +160,7 @@ static void resolutions_agree(void)
         for (uint64_t id = 1; id <= 10; id++) {
             stroke line = {.identity = id, .n = 2};
             stroke_list list = {.strokes = {&line, 1, 1}, .points = {ends, 2, 2}};
-            stroke_options o = {.pencil = s.pencil, .seed = 1, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .squiggle = -1, .dpi = dpi[k]};
+            stroke_options o = {.pencil = s.pencil, .seed = 1, .model = &plb_model_graphite, .arm = &plb_arm_hand, .squiggle = -1, .dpi = dpi[k]};
             stroke_scratch scratch = {0};
             CHECK(plb_stroke_draw(&list, &line, &o, &scratch, add_darkness, &ink[k], NULL));
             plb_stroke_scratch_free(&scratch);

@@ -27,8 +27,8 @@ static void control_points_per_length_class(void)
         for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
             control c[CONTROLS_MAX];
             stroke_options o = options_for(seed);
-            CHECK(plb_path_controls(expected[i].px * PX * (1 + 1e-12), (point){1, 0}, seed * 77 + i, &o, c) == expected[i].n || expected[i].px == 200 || expected[i].px == 400);
-            CHECK(plb_path_controls(expected[i].px * PX * (1 - 1e-12), (point){1, 0}, seed * 77 + i, &o, c) == expected[i].n);
+            CHECK(plb_movement_controls(plb_arm_of(&o), expected[i].px * PX * (1 + 1e-12), (point){1, 0}, seed * 77 + i, &o, c) == expected[i].n || expected[i].px == 200 || expected[i].px == 400);
+            CHECK(plb_movement_controls(plb_arm_of(&o), expected[i].px * PX * (1 - 1e-12), (point){1, 0}, seed * 77 + i, &o, c) == expected[i].n);
         }
 }
 
@@ -37,11 +37,11 @@ static void control_points_lie_where_equation_1_says(void)
 {
     control c[CONTROLS_MAX];
     stroke_options o = options_for(1);
-    CHECK(plb_path_controls(100 * PX, (point){1, 0}, 5, &o, c) == 5);
+    CHECK(plb_movement_controls(plb_arm_of(&o), 100 * PX, (point){1, 0}, 5, &o, c) == 5);
     static const double share[5] = {0, 0.103515625, 0.5, 0.896484375, 1};
     for (int k = 0; k < 5; k++)
         CHECK(fabs(c[k].along / (100 * PX) - share[k]) < 1e-12);
-    size_t n = plb_path_controls(300 * PX, (point){1, 0}, 5, &o, c);
+    size_t n = plb_movement_controls(plb_arm_of(&o), 300 * PX, (point){1, 0}, 5, &o, c);
     CHECK(n == 8 && fabs(c[7].along - 300 * PX) < 1e-12 && c[6].along < c[7].along);
     CHECK(c[0].off == 0 && c[7].off == 0);
 }
@@ -57,7 +57,7 @@ static void squiggle_is_uniform_in_its_range(void)
         for (uint64_t seed = 1; seed <= 12000; seed++, n++) {
             control c[CONTROLS_MAX];
             stroke_options o = options_for(seed);
-            size_t k = plb_path_controls(cases[i].px * PX, (point){1, 0}, 99, &o, c);
+            size_t k = plb_movement_controls(plb_arm_of(&o), cases[i].px * PX, (point){1, 0}, 99, &o, c);
             double d = c[k / 2].off / PX;
             sum += d;
             squares += d * d;
@@ -79,15 +79,15 @@ static void squiggle_keeps_its_limits(void)
     for (uint64_t seed = 1; seed <= 4000; seed++) {
         control c[CONTROLS_MAX];
         stroke_options o = options_for(seed);
-        size_t n = plb_path_controls(1000 * PX, (point){1, 0}, seed, &o, c);
+        size_t n = plb_movement_controls(plb_arm_of(&o), 1000 * PX, (point){1, 0}, seed, &o, c);
         for (size_t k = 1; k + 1 < n; k++) {
             double way = fmin(c[k].along, 1000 * PX - c[k].along);
             CHECK(fabs(c[k].off) <= fmin(5 * PX, 0.2 * way) + 1e-12);
         }
         products += c[4].off * c[5].off;
         squares += c[4].off * c[4].off;
-        o.arm = ARM_SPRING;
-        n = plb_path_controls(1000 * PX, (point){1, 0}, seed, &o, c);
+        o.arm = &plb_arm_spring;
+        n = plb_movement_controls(plb_arm_of(&o), 1000 * PX, (point){1, 0}, seed, &o, c);
         for (size_t k = 1; k + 1 < n; k++)
             CHECK(fabs(c[k].off) <= 3 * PX + 1e-12);
     }
@@ -109,7 +109,7 @@ static void squiggle_zero_is_ruler_straight(void)
     array_free(&path);
 }
 
-static arm_model parallel_arm;
+static const arm_model *parallel_arm;
 
 /* Deviation of a path from its chord at 64 places along it. */
 static void deviations(const stroke_list *list, const stroke *s, uint64_t seed, double out[64])
@@ -167,7 +167,7 @@ static void compare_parallel_lines(void)
 
 static void parallel_lines_differ(void)
 {
-    static const arm_model arms[] = {ARM_JERK, ARM_SPRING, ARM_HAND};
+    static const arm_model *const arms[] = {&plb_arm_jerk, &plb_arm_spring, &plb_arm_hand};
     for (size_t i = 0; i < 3; i++) {
         parallel_arm = arms[i];
         compare_parallel_lines();
@@ -209,8 +209,8 @@ static void draw_by_hand(hand_line *l, point way, uint64_t identity)
     l->s.n = 2;
     l->list = (stroke_list){.strokes = {&l->s, 1, 1}, .points = {l->ends, 2, 2}};
     l->o.seed = 3;
-    l->o.model = MODEL_GRAPHITE;
-    l->o.arm = ARM_HAND;
+    l->o.model = &plb_model_graphite;
+    l->o.arm = &plb_arm_hand;
     l->o.dpi = 300;
     CHECK(plb_path_sample(&l->list, &l->s, &l->o, &l->path, NULL));
 }

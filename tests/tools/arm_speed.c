@@ -6,21 +6,20 @@
 #include "stroke/stroke.h"
 
 #include <stdio.h>
-#include <string.h>
 
 #define WIDTH 60.0
 #define HEIGHT 34.0
 #define FASTEST 4.8 /* mean speeds: the top of the picture */
 enum { STEPS = 60 };
 
-static void print_curve(const stroke_options *o, uint64_t identity)
+static void print_curve(const arm_model *arm, const stroke_options *o, uint64_t identity)
 {
     printf("<path d=\"");
     for (int i = 0; i <= STEPS; i++) {
         double t0 = (i - 0.5) / STEPS, t1 = (i + 0.5) / STEPS;
         t0 = t0 < 0 ? 0 : t0;
         t1 = t1 > 1 ? 1 : t1;
-        double v = i == 0 || i == STEPS ? 0 : (plb_arm_progress(identity, o, t1) - plb_arm_progress(identity, o, t0)) / (t1 - t0);
+        double v = i == 0 || i == STEPS ? 0 : (plb_arm_progress(arm, identity, o, t1) - plb_arm_progress(arm, identity, o, t0)) / (t1 - t0);
         printf("%c%.3f %.3f", i ? 'L' : 'M', 5 + (WIDTH - 8) * i / STEPS, HEIGHT - 4 - (HEIGHT - 8) * v / FASTEST);
     }
     printf("\"/>\n");
@@ -28,16 +27,15 @@ static void print_curve(const stroke_options *o, uint64_t identity)
 
 int main(int argc, char **argv)
 {
-    static const char *const names[] = {"jerk", "spring", "", "lognormal", "torque"};
     stroke_options o = {.seed = 1};
-    for (int i = 0; argc == 2 && i < 5; i++)
-        if (!strcmp(argv[1], names[i]))
-            o.arm = (arm_model)i;
+    const arm_model *arm = argc == 2 ? plb_arm_lookup(argv[1]) : &plb_arm_jerk;
+    if (!arm)
+        return 2;
     printf("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%gmm\" height=\"%gmm\" viewBox=\"0 0 %g %g\" fill=\"none\" stroke=\"#000\" "
            "stroke-width=\".3\">\n<path d=\"M5 3V%gH%g\"/>\n",
            WIDTH, HEIGHT, WIDTH, HEIGHT, HEIGHT - 4, WIDTH - 2);
-    for (uint64_t identity = 1; identity <= (o.arm == ARM_LOGNORMAL ? 3 : 1); identity++)
-        print_curve(&o, identity);
+    for (uint64_t identity = 1; identity <= (arm == &plb_arm_lognormal ? 3 : 1); identity++)
+        print_curve(arm, &o, identity);
     printf("</svg>\n");
     return 0;
 }

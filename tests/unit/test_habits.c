@@ -231,7 +231,7 @@ static void the_lines_of_a_wall_stay_apart(void)
     double touching = 0;
     path_samples drawn[2] = {{0}, {0}};
     for (uint64_t seed = 1; seed <= 300; seed++) {
-        stroke_options o = {.seed = seed, .squiggle = -1, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .handed = HANDED_RIGHT, .dpi = 300};
+        stroke_options o = {.seed = seed, .squiggle = -1, .model = &plb_model_graphite, .arm = &plb_arm_hand, .handed = HANDED_RIGHT, .dpi = 300};
         double gap = 1e9;
         for (int i = 0; i < 2; i++)
             CHECK(plb_path_sample(&list, &list.strokes.v[i], &o, &drawn[i], NULL));

@@ -38,17 +38,17 @@ static void map_even_strip(const point *base, size_t n, bool closed, double dpi,
     *length_mm = path.v[path.n - 1].along;
     int columns = (int)(*length_mm / 25.4 * 300 + 0.5) + 2 * STRIP_MARGIN, rows = 9 + 2 * STRIP_MARGIN;
     strip even = {columns, rows, (size_t)(columns * rows), malloc((size_t)(columns * rows)), NULL};
-    memset(even.grey, 255, even.room);
+    memset(even.grey, 255, even.capacity);
     for (int y = STRIP_MARGIN; y < rows - STRIP_MARGIN; y++)
         memset(even.grey + y * columns + STRIP_MARGIN, 155, (size_t)(columns - 2 * STRIP_MARGIN));
     if (closed)
         plb_texture_wrap(&even);
-    map_room room = {0};
+    map_buffer buffer = {0};
     memset(c, 0, sizeof *c);
     shading texture = plb_strip_shading(&even, 300);
-    CHECK(plb_strip_map(&texture, &(map_page){.dpi = dpi}, &path, closed, &room, count, c));
+    CHECK(plb_strip_map(&texture, &(map_page){.dpi = dpi}, &path, closed, &buffer, count, c));
     free(even.grey);
-    plb_free(room.fine);
+    plb_free(buffer.fine);
     array_free(&path);
 }
 

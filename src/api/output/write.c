@@ -17,11 +17,10 @@ typedef struct {
 
 static void label(labels *l, const plb_options *o, const render_context *t)
 {
-    static const char *const arms[] = {"", "hand", "jerk", "spring", "lognormal", "torque"};
     snprintf(l->seed, sizeof l->seed, "%llu", (unsigned long long)o->seed);
     snprintf(l->software, sizeof l->software, "Plumbago %s", plb_version());
     const char *text[] = {"Software", l->software, "Plumbago-Seed", l->seed, "Plumbago-Pencil", plb_profile_name(t->profile),
-                          "Plumbago-Model", o->model == PLB_MODEL_HLA ? "hla" : "graphite", "Plumbago-Arm", arms[plb_api_arm(o)], NULL};
+                          "Plumbago-Model", plb_model_of(&t->stroke)->name, "Plumbago-Arm", plb_arm_of(&t->stroke)->name, NULL};
     memcpy(l->text, text, sizeof text);
 }
 

@@ -8,11 +8,15 @@
 
 #include <pthread.h>
 
-#define PAPERS (PAPER_ROUGH + 1)
+typedef struct {
+    const line_model *model;
+    paper_kind on;
+    pencil *made;
+} place;
 
 struct pencil_rack {
     pthread_mutex_t lock;
-    pencil *of_papers_model, *on[PAPERS];
+    ARRAY(place) places;
 };
 
 pencil_rack *plb_api_rack_new(void)
@@ -28,21 +32,32 @@ void plb_api_rack_free(pencil_rack *r)
 {
     if (!r)
         return;
-    plb_pencil_free(r->of_papers_model);
-    for (int k = 0; k < PAPERS; k++)
-        plb_pencil_free(r->on[k]);
+    for (size_t k = 0; k < r->places.n; k++)
+        plb_pencil_free(r->places.v[k].made);
+    array_free(&r->places);
     pthread_mutex_destroy(&r->lock);
     plb_free(r);
 }
 
-const pencil *plb_api_pencil(const plb_profile *p, line_model model, paper_kind on, error *err)
+static pencil *find_or_make(pencil_rack *r, const profile *p, const line_model *model, paper_kind on, error *err)
+{
+    for (size_t k = 0; k < r->places.n; k++)
+        if (r->places.v[k].model == model && r->places.v[k].on == on)
+            return r->places.v[k].made;
+    place added = {model, on, model->prepare(p, on, err)};
+    if (added.made && !array_push(&r->places, added)) {
+        plb_fail_memory(err);
+        plb_pencil_free(added.made);
+        return NULL;
+    }
+    return added.made;
+}
+
+const pencil *plb_api_pencil(const plb_profile *p, const line_model *model, paper_kind on, error *err)
 {
     pencil_rack *r = p->pencil_cache;
-    pencil **place = model == MODEL_HLA ? &r->of_papers_model : &r->on[on];
     pthread_mutex_lock(&r->lock);
-    if (!*place)
-        *place = model == MODEL_HLA ? plb_pencil_new(p->p, err) : plb_pencil_on_paper(p->p, on, err);
-    const pencil *found = *place;
+    const pencil *found = find_or_make(r, p->p, model, model->on_paper ? on : PAPER_NONE, err);
     pthread_mutex_unlock(&r->lock);
     return found;
 }

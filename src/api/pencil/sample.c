@@ -39,7 +39,7 @@ bool plb_api_sample(void *closure, const profile *p, int lines, int width, int h
     if (!made)
         return false;
     double strays = fmin(p->hand, 1); /* one that strays farther than a free one would leave the picture */
-    stroke_options o = {.pencil = made, .model = MODEL_GRAPHITE, .arm = ARM_HAND, .handed = HANDED_RIGHT, .squiggle = -1, .hand = strays, .dpi = PAPER_PX_PER_INCH};
+    stroke_options o = {.pencil = made, .model = &plb_model_graphite, .arm = &plb_arm_hand, .handed = HANDED_RIGHT, .squiggle = -1, .hand = strays, .dpi = PAPER_PX_PER_INCH};
     stroke_scratch scratch = {0};
     bool good = true;
     for (int i = 0; i < lines && good; i++) {

@@ -10,11 +10,6 @@
 
 #define DEFAULT_PENCIL "HB"
 
-plb_arm plb_api_arm(const plb_options *o)
-{
-    return o->arm != PLB_ARM_DEFAULT ? o->arm : o->model == PLB_MODEL_HLA ? PLB_ARM_JERK : PLB_ARM_HAND;
-}
-
 bool plb_api_context_init(render_context *t, const plb_options *o, error *err)
 {
     memset(t, 0, sizeof *t);
@@ -28,7 +23,7 @@ bool plb_api_context_init(render_context *t, const plb_options *o, error *err)
             return plb_fail(err, (error_kind)failed.status, "%s", failed.text);
     }
     static const paper_kind papers[] = {PAPER_MEDIUM, PAPER_SMOOTH, PAPER_ROUGH, PAPER_NONE};
-    line_model model = o->model == PLB_MODEL_GRAPHITE ? MODEL_GRAPHITE : MODEL_HLA;
+    const line_model *model = plb_model_at(o->model);
     t->pencil = plb_api_pencil(t->profile, model, papers[o->paper], err);
     if (!t->pencil) {
         plb_api_context_free(t);
@@ -39,9 +34,7 @@ bool plb_api_context_init(render_context *t, const plb_options *o, error *err)
     static const handedness handed[] = {HANDED_RIGHT, HANDED_LEFT, HANDED_NONE};
     t->stroke.handed = handed[o->handed];
     t->stroke.model = model;
-    static const arm_model arms[] = {[PLB_ARM_HAND] = ARM_HAND, [PLB_ARM_JERK] = ARM_JERK, [PLB_ARM_SPRING] = ARM_SPRING,
-                                     [PLB_ARM_LOGNORMAL] = ARM_LOGNORMAL, [PLB_ARM_TORQUE] = ARM_TORQUE};
-    t->stroke.arm = arms[plb_api_arm(o)];
+    t->stroke.arm = o->arm == PLB_ARM_DEFAULT ? NULL : plb_arm_at(o->arm - 1u); /* plb_arm numbers the table's rows from 1 */
     return true;
 }
 

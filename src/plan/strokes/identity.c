@@ -14,26 +14,26 @@
 /* Identities given so far: open addressing, 0 marks an empty place. */
 typedef struct {
     uint64_t *key;
-    size_t n, room;
+    size_t n, capacity;
 } identity_set;
 
 /* Whether `key` was new to the set, in *fresh; false when out of memory. */
 static bool insert(identity_set *s, uint64_t key, bool *fresh)
 {
-    if (s->n * 2 >= s->room) {
-        identity_set bigger = {plb_new(s->room ? s->room * 2 : 1024, sizeof(uint64_t)), 0, s->room ? s->room * 2 : 1024};
+    if (s->n * 2 >= s->capacity) {
+        identity_set bigger = {plb_new(s->capacity ? s->capacity * 2 : 1024, sizeof(uint64_t)), 0, s->capacity ? s->capacity * 2 : 1024};
         bool ignored;
         if (!bigger.key)
             return false;
-        for (size_t i = 0; i < s->room; i++)
+        for (size_t i = 0; i < s->capacity; i++)
             if (s->key[i])
                 insert(&bigger, s->key[i], &ignored);
         plb_free(s->key);
         *s = bigger;
     }
-    size_t at = random_mix(key) & (s->room - 1);
+    size_t at = random_mix(key) & (s->capacity - 1);
     while (s->key[at] && s->key[at] != key)
-        at = (at + 1) & (s->room - 1);
+        at = (at + 1) & (s->capacity - 1);
     *fresh = s->key[at] != key;
     if (*fresh) {
         s->key[at] = key;

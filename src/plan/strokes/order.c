@@ -163,7 +163,7 @@ bool plb_plan_order(stroke_list *list, error *err)
         array_free(&list->strokes);
         list->strokes.v = made.strokes.v;
         list->strokes.n = made.strokes.n;
-        list->strokes.room = made.strokes.room;
+        list->strokes.capacity = made.strokes.capacity;
     }
     plb_free(order);
     return ok || plb_fail_memory(err);

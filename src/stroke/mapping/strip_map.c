@@ -14,7 +14,7 @@
  * strip_rows.c has this for the rows of one piece.
  */
 #include "base/number/units.h"
-#include "stroke/stroke.h"
+#include "stroke/mapping/strip_map.h"
 #include "stroke/mapping/strip_rows.h"
 
 #include <limits.h>
@@ -51,7 +51,7 @@ typedef struct {
     double page_mm;       /* mm per page pixel */
     int samples;          /* per page pixel and direction */
     double half_width;    /* page pixels */
-    int top, foot;        /* rows wanted */
+    int top, bottom;        /* rows wanted */
     patch p;
     pixel_box in;               /* what the patch covers */
     piece waiting[MAX_WAITING];
@@ -60,7 +60,7 @@ typedef struct {
     asked_rows asked;
     uint8_t *fine;        /* darkness of each sample, `stride` a row; where pieces meet again in a tight bend, the darker */
     size_t stride;
-    uint8_t *kept;        /* room for samples of pixels that the next patch will go on with */
+    uint8_t *kept;        /* samples of pixels that the next patch will go on with */
     uint32_t divisor;     /* 2^18 / samples^2, rounded up: exact for the sums there are */
     patch_sink sink;
     void *closure;
@@ -145,7 +145,7 @@ static void resolve(mapper *m, int y, uint8_t *grey)
 static bool flush(mapper *m)
 {
     int w = m->in.x1 - m->in.x0, h = m->in.y1 - m->in.y0;
-    bool wanted = w > 0 && h > 0 && m->in.y0 < m->foot && m->in.y1 > m->top;
+    bool wanted = w > 0 && h > 0 && m->in.y0 < m->bottom && m->in.y1 > m->top;
     if (wanted) {
         m->p.x = m->in.x0;
         m->p.y = m->in.y0;
@@ -268,8 +268,8 @@ static void map_piece(mapper *m, const piece *k)
 {
     piece_frame f = plb_piece_frame(k, m->samples, m->strip_px);
     piece_rows r; /* large: only what is used is set */
-    int top = k->in.y0 < m->top ? m->top : k->in.y0, foot = k->in.y1 > m->foot ? m->foot : k->in.y1;
-    int from = (top - k->in.y0) * m->samples, to = (foot - k->in.y0) * m->samples;
+    int top = k->in.y0 < m->top ? m->top : k->in.y0, bottom = k->in.y1 > m->bottom ? m->bottom : k->in.y1;
+    int from = (top - k->in.y0) * m->samples, to = (bottom - k->in.y0) * m->samples;
     for (int j = from; j < to; j += PIECE_ROWS) {
         plb_piece_rows(&f, j, to - j < PIECE_ROWS ? to - j : PIECE_ROWS, &r);
         map_rows(m, &f, &r, (k->in.y0 - m->in.y0) * m->samples + j);
@@ -425,21 +425,21 @@ static bool add_path(mapper *m, const path_samples *path, bool closed, double px
 }
 
 /* Room for the samples of the largest patch, all zero; kept from stroke to stroke. */
-static bool make_fine(map_room *room, size_t size)
+static bool make_fine(map_buffer *buffer, size_t size)
 {
-    if (room->size >= size)
+    if (buffer->size >= size)
         return true;
-    plb_free(room->fine);
-    room->fine = plb_new(2 * size, 1); /* the second half: samples kept */
-    room->size = room->fine ? size : 0;
-    return room->fine != NULL;
+    plb_free(buffer->fine);
+    buffer->fine = plb_new(2 * size, 1); /* the second half: samples kept */
+    buffer->size = buffer->fine ? size : 0;
+    return buffer->fine != NULL;
 }
 
-bool plb_strip_map(const shading *s, const map_page *page, const path_samples *path, bool closed, map_room *room, patch_sink sink,
+bool plb_strip_map(const shading *s, const map_page *page, const path_samples *path, bool closed, map_buffer *buffer, patch_sink sink,
                    void *closure)
 {
     double px = page->dpi / MM_PER_INCH, reach = STROKE_REACH_MM / MM_PER_INCH * s->dpi;
-    bool all = page->top == page->foot;
+    bool all = page->top == page->bottom;
     shading within = *s;
     within.half_width = fmin(s->half_width, reach);
     within.beyond = fmin(s->beyond, reach);
@@ -452,16 +452,16 @@ bool plb_strip_map(const shading *s, const map_page *page, const path_samples *p
     m.divisor = (uint32_t)(((1 << 18) + m.samples * m.samples - 1) / (m.samples * m.samples));
     m.half_width = within.half_width / m.strip_px;
     m.top = all ? INT_MIN : page->top;
-    m.foot = all ? INT_MAX : page->foot;
+    m.bottom = all ? INT_MAX : page->bottom;
     m.in = m.wait = (pixel_box){0};
     m.n = m.asked.n = m.asked.samples = 0;
     size_t side = (size_t)(PATCH_SIDE * m.samples);
     m.stride = side + TOGETHER; /* what is done in whole blocks stays within the row */
     m.sink = sink;
     m.closure = closure;
-    if (!make_fine(room, side * m.stride))
+    if (!make_fine(buffer, side * m.stride))
         return false;
-    m.fine = room->fine;
-    m.kept = room->fine + side * m.stride;
+    m.fine = buffer->fine;
+    m.kept = buffer->fine + side * m.stride;
     return add_path(&m, path, closed, px);
 }

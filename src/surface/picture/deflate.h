@@ -12,7 +12,7 @@
 
 typedef struct {
     uint8_t *v;
-    size_t n, room;
+    size_t n, capacity;
 } byte_buffer;
 
 /* Replaces `out` by the compressed `raw`, whole bytes, no last block. `level`: 0, not at all, to 9, smallest. False when

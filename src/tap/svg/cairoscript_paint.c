@@ -155,7 +155,7 @@ static bool copy_item(script_state *s, const item *from, matrix m, item *to)
     *to = *from;
     to->path = (path){0};
     to->dash.v = NULL;
-    to->dash.n = to->dash.room = 0;
+    to->dash.n = to->dash.capacity = 0;
     double f = plb_matrix_expansion(m);
     to->width *= f;
     to->dash_offset *= f;

@@ -6,7 +6,7 @@
 #ifndef PLB_STROKE_TEXTURE_GRAPHITE_PAPER_H
 #define PLB_STROKE_TEXTURE_GRAPHITE_PAPER_H
 
-#include "stroke/stroke.h"
+#include "stroke/texture/graphite/grain_field.h"
 
 #define PAPER_UNIT 32      /* steps of a height's standard deviation */
 #define PAPER_SIDE_MAX 191

@@ -61,7 +61,7 @@ static void tabulate_scores(grain_tables *t, const grain_model *g)
         for (int k = 0; k < 256; k++) {
             double x = (k - 128.0) / FIELD_UNIT, rough = exp((c - ROUGH_CLASSES / 2) * ROUGH_LOG_STEP);
             double score = plb_interpolate(map, MAP_SIZE, 0, 1.0 / MAP_STEPS, fabs(x) * rough);
-            t->bend[c][k] = to_byte(((x < 0 ? -score : score) - x) * FIELD_UNIT);
+            t->score_correction[c][k] = to_byte(((x < 0 ? -score : score) - x) * FIELD_UNIT);
         }
 }
 

@@ -64,15 +64,15 @@ static response respond(double pressure)
     return (response){pow(pressure, r->level), pow(pressure, r->depth), pow(pressure, r->width), pow(pressure, r->spread)};
 }
 
-/* ---- room ---- */
+/* ---- buffers ---- */
 
-static bool make_room(void **v, size_t *room, size_t need)
+static bool make_buffer(void **v, size_t *capacity, size_t need)
 {
-    if (need <= *room)
+    if (need <= *capacity)
         return true;
     plb_free(*v);
     *v = plb_new(need, 1);
-    *room = *v ? need : 0;
+    *capacity = *v ? need : 0;
     return *v != NULL;
 }
 
@@ -86,9 +86,9 @@ static bool resize(grain *g, int columns, int rows, error *err)
     g->columns = columns;
     g->rows = rows;
     g->stride = (rows + SIMD16_LANES - 1) / SIMD16_LANES * SIMD16_LANES;
-    bool ok = make_room((void **)&g->field, &g->field_room, (size_t)columns * (size_t)g->stride) &&
-              make_room((void **)&g->level, &g->level_room, knots_of(columns) * GRAIN_PLACES_PADDED) &&
-              make_room((void **)&g->ends, &g->ends_room, (size_t)columns);
+    bool ok = make_buffer((void **)&g->field, &g->field_capacity, (size_t)columns * (size_t)g->stride) &&
+              make_buffer((void **)&g->level, &g->level_capacity, knots_of(columns) * GRAIN_PLACES_PADDED) &&
+              make_buffer((void **)&g->ends, &g->ends_capacity, (size_t)columns);
     return ok || plb_fail_memory(err);
 }
 
@@ -413,7 +413,7 @@ static void set_line(grain *g, const line_figures *f, grain_ends ends)
     const grain_model *m = &g->pencil->profile->grain;
     double mean_width = clamp(exp(m->line_mean[1]), 0.5, 200);
     int rough = (int)floor(f->roughness / ROUGH_LOG_STEP + 0.5) + ROUGH_CLASSES / 2;
-    g->bend = g->pencil->grain->bend[clamp_int(rough, 0, ROUGH_CLASSES - 1)];
+    g->score_correction = g->pencil->grain->score_correction[clamp_int(rough, 0, ROUGH_CLASSES - 1)];
     g->depth = (uint32_t)(f->depth * 256);
     g->narrow = (float)(mean_width / f->width);
     g->half_width = (float)(mean_width / 2);

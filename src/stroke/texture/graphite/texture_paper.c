@@ -77,11 +77,11 @@ bool plb_paper_make(paper *p, paper_kind kind, const float normal[])
     p->correlation[0] = 1;
     p->correlation[1] = 2 * a / energy;
     p->correlation[2] = a * a / energy;
-    float *room = plb_new(2 * PAPER_SIDE_MAX * PAPER_SIDE_MAX, sizeof *room);
-    for (int i = 0; i < PAPER_TILES && room && kind != PAPER_NONE; i++)
-        make_tile(p, i, (float)a, normal, room, room + PAPER_SIDE_MAX * PAPER_SIDE_MAX);
-    plb_free(room);
-    return room != NULL;
+    float *scratch = plb_new(2 * PAPER_SIDE_MAX * PAPER_SIDE_MAX, sizeof *scratch);
+    for (int i = 0; i < PAPER_TILES && scratch && kind != PAPER_NONE; i++)
+        make_tile(p, i, (float)a, normal, scratch, scratch + PAPER_SIDE_MAX * PAPER_SIDE_MAX);
+    plb_free(scratch);
+    return scratch != NULL;
 }
 
 paper_sheet plb_paper_sheet(uint64_t seed)

@@ -226,7 +226,7 @@ typedef struct {
     int32_t at[POINTS];                  /* of the place before it, among the levels of its column's knot */
     uint16_t levels[POINTS];             /* of the places before it and behind it: low and high byte */
     int16_t level[POINTS], own[POINTS];  /* what is expected; the stroke's own field */
-    int16_t score[POINTS], bend[POINTS]; /* with the paper's; what its table adds to it */
+    int16_t score[POINTS], correction[POINTS]; /* with the paper's; what its table adds to it */
     uint16_t at_level[POINTS];           /* how much of that, and the row of the table of darkness: low and high byte */
     uint16_t entry[POINTS];              /* of that table */
     uint16_t relative[POINTS];           /* darkness */
@@ -288,7 +288,7 @@ static void find_coarse_levels(const grain *g, int n, reading *r)
         const uint8_t *levels = g->level + r->at[i] - (r->place[i] >> 8);
         int sum = 0;
         for (int k = -1; k <= 1; k++) {
-            int at = within(r->place[i] + k * g->foot, PLACE_LAST), w = at & 255;
+            int at = within(r->place[i] + k * g->sample_step, PLACE_LAST), w = at & 255;
             const uint8_t *l = levels + (at >> 8);
             sum += l[0] * 256 + (l[1] - l[0]) * w;
         }
@@ -321,9 +321,9 @@ PLB_SIMD_CLONES static void find_scores(const grain *g, const points *p, reading
 static void look_up_bends(const grain *g, int n, reading *r)
 {
     const grain_tables *t = g->pencil->grain;
-    const int8_t *bend = g->bend;
+    const int8_t *correction = g->score_correction;
     for (int i = 0; i < n; i++) {
-        r->bend[i] = bend[r->score[i]];
+        r->correction[i] = correction[r->score[i]];
         r->at_level[i] = (uint16_t)(t->at_level[r->level[i]].share | t->at_level[r->level[i]].row << 8);
     }
 }
@@ -331,7 +331,7 @@ static void look_up_bends(const grain *g, int n, reading *r)
 PLB_SIMD_CLONES static void find_entries(int n, reading *r)
 {
     for (int i = 0; i < n; i++) {
-        int16_t bent = (int16_t)((r->bend[i] * (int16_t)(r->at_level[i] & 255)) >> 8);
+        int16_t bent = (int16_t)((r->correction[i] * (int16_t)(r->at_level[i] & 255)) >> 8);
         r->entry[i] = (uint16_t)((r->at_level[i] >> 8 << 7) + (byte_of((int16_t)(r->score[i] + bent)) >> 1));
     }
 }
@@ -362,7 +362,7 @@ static int finish(const grain *g, points *p, uint8_t *out)
     find_places(g, p, &r);
     find_cells(g, p, &r);
     look_up_field(g, n, &r);
-    if (g->foot > 0)
+    if (g->sample_step > 0)
         find_coarse_levels(g, n, &r);
     else
         find_levels(n, &r);
@@ -410,7 +410,7 @@ shading plb_grain_shading(grain *g, double dpi, double page_dpi)
     double side = pixels_of(dpi, page_dpi), beyond = (double)(g->cap_first > g->cap_last ? g->cap_first : g->cap_last);
     int scale = side > 0 ? within((int)(side + 0.5), DARKNESS_SCALES) - 1 : 0;
     g->ragged = page_dpi > GRAIN_RAGGED_DPI ? 0.5f : 0;
-    g->foot = (int32_t)(side / 3 * (double)(g->narrow * PLACE_UNIT));
+    g->sample_step = (int32_t)(side / 3 * (double)(g->narrow * PLACE_UNIT));
     g->darkness = g->pencil->grain->darkness[scale];
     shading r = {g, shade, false, g->rows / 2 + 0.5 + side / 2, beyond, dpi, side > 0};
     return r;

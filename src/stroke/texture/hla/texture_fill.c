@@ -24,7 +24,7 @@ static bool resize(strip *s, int columns, int rows, error *err)
     size_t need = (size_t)columns * (size_t)rows;
     if (need > STRIP_MAX)
         return plb_fail(err, ERROR_LIMIT, "a stroke is too long: %d pixels", columns);
-    if (need > s->room) {
+    if (need > s->capacity) {
         plb_strip_free(s);
         s->grey = plb_new(need, 1);
         s->spare = plb_new(need, 1);
@@ -32,7 +32,7 @@ static bool resize(strip *s, int columns, int rows, error *err)
             plb_strip_free(s);
             return plb_fail_memory(err);
         }
-        s->room = need;
+        s->capacity = need;
     }
     s->columns = columns;
     s->rows = rows;

@@ -3,7 +3,7 @@
  * The papers' strip as a texture to map: greys, read between their pixels by bilinear interpolation. Half a pixel of its
  * margin, into which the blur has run, and one more belong to the line's ends.
  */
-#include "stroke/stroke.h"
+#include "stroke/texture/hla/strip.h"
 
 #include <math.h>
 

@@ -104,7 +104,7 @@ static uint32_t hash_text(const char *text, size_t n)
 /* The slot where the name is or would go. */
 static const ps_name **find_slot(ps *p, const char *text, size_t n, uint32_t hash)
 {
-    size_t mask = p->names.room - 1, i = hash & mask;
+    size_t mask = p->names.capacity - 1, i = hash & mask;
     for (;; i = (i + 1) & mask) {
         const ps_name *at = p->names.v[i];
         p->steps += at != NULL && at->hash == hash && at->length != n; /* made-up collisions cost the file, not us */
@@ -115,12 +115,12 @@ static const ps_name **find_slot(ps *p, const char *text, size_t n, uint32_t has
 
 static bool grow_names(ps *p)
 {
-    size_t old = p->names.room, room = old ? old * 2 : 2048;
+    size_t old = p->names.capacity, room = old ? old * 2 : 2048;
     const ps_name **before = p->names.v, **v = plb_new(room, sizeof(const ps_name *));
     if (!v)
         return plb_fail_memory(&p->err);
     p->names.v = v;
-    p->names.room = room;
+    p->names.capacity = room;
     for (size_t i = 0; i < old; i++)
         if (before[i]) {
             size_t k = before[i]->hash & (room - 1);
@@ -136,12 +136,12 @@ const ps_name *plb_ps_intern(ps *p, const char *text, size_t n)
 {
     uint32_t hash = hash_text(text, n);
     p->steps += n / 32;
-    if (!p->names.room && !grow_names(p))
+    if (!p->names.capacity && !grow_names(p))
         return NULL;
     const ps_name **slot = find_slot(p, text, n, hash);
     if (*slot)
         return *slot;
-    if (p->name_count * 2 >= p->names.room) {
+    if (p->name_count * 2 >= p->names.capacity) {
         if (!grow_names(p))
             return NULL;
         slot = find_slot(p, text, n, hash);

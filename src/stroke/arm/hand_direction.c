@@ -10,7 +10,7 @@
  * that a drawing does not tilt. A left hand mirrors all of it.
  */
 #include "base/number/units.h"
-#include "stroke/stroke.h"
+#include "stroke/arm/hand.h"
 
 /* How far a level line's second half leans, share of the length; and its free end, the same and at most, mm. */
 #define LEAN 0.0015

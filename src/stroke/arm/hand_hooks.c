@@ -9,7 +9,7 @@
  */
 #include "base/number/random.h"
 #include "base/number/units.h"
-#include "stroke/stroke.h"
+#include "stroke/arm/hand.h"
 
 #include <math.h>
 

@@ -3,7 +3,7 @@
  * Stroke, stage 2, the free hand along a straight line, by far the commonest stroke: all in the line's own frame.
  * Input: the two ends, mm, and how the hand deviates. Output: samples of the path.
  */
-#include "stroke/arm/trajectory.h"
+#include "stroke/path/trace.h"
 
 #include <math.h>
 

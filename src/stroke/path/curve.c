@@ -5,7 +5,7 @@
  *
  *     course    the base line, with a spacing for each place: close where it bends, growing slowly away from there
  *     vias      places of that spacing on the course, each off it as the hand deviates
- *     movement  of least jerk through them (path_via.c), at a speed that goes with the cube root of the radius
+ *     movement  of least jerk through them (via.c), at a speed that goes with the cube root of the radius
  *     samples
  *
  * The speed is the two-thirds power law of drawing movements (Lacquaniti, Terzuolo and Viviani 1983: angular speed goes as
@@ -13,7 +13,8 @@
  */
 #include "base/array.h"
 #include "base/number/random.h"
-#include "stroke/arm/trajectory.h"
+#include "stroke/path/trace.h"
+#include "stroke/path/via.h"
 
 #include <math.h>
 

@@ -17,7 +17,8 @@
  * lies. For movements of 5 to 20 cm what is left is below a tenth of the largest bow; test_arms.c does the optimisation
  * anew and compares. Along the way the movement is, to the same order, that of least jerk.
  */
-#include "stroke/stroke.h"
+#include "base/number/units.h"
+#include "stroke/arm/arm.h"
 
 #include <math.h>
 
@@ -38,3 +39,22 @@ double plb_torque_bow(point way, handedness handed)
     double form = A1 * c + B1 * s + A3 * (4 * c * c * c - 3 * c) + B3 * (3 * s - 4 * s * s * s);
     return mirror * reach * reach * form;
 }
+
+/* The largest deviation D that leaves the bow as the model has it: a larger or smaller one makes the bow so many times as high. */
+#define SQUIGGLE_PX 5 /* as jerk */
+
+static void deviate_by_torque(const movement *m, control *c, size_t n)
+{
+    const stroke_options *o = m->options;
+    double share = o->squiggle < 0 ? 1 : o->squiggle / (SQUIGGLE_PX * MM_PER_PAPER_PX);
+    plb_deviate_freely(m, c, n);
+    plb_add_bow(c, n, share * plb_torque_bow(m->way, o->handed));
+}
+
+const arm_model plb_arm_torque = {
+    .name = "torque",
+    .about = "least change of torque of an arm of two links",
+    .squiggle_px = SQUIGGLE_PX,
+    .progress = plb_minimum_jerk,
+    .deviate = deviate_by_torque,
+};

@@ -3,14 +3,14 @@
  * Stroke, stage 2: a curve followed exactly, the deviation riding on its normal. So the free hand's deviation is laid on
  * the papers' model, and so a hand that does not stray draws any curve.
  */
-#include "stroke/arm/trajectory.h"
+#include "stroke/path/trace.h"
 
 #include <math.h>
 
 #define STEP_MM 0.25
 #define FEWEST_STEPS 16
 
-bool plb_trace_ride(base_line *b, double length, const hand *h, path_samples *out)
+bool plb_trace_exactly(base_line *b, double length, const hand *h, path_samples *out)
 {
     double n = fmax(ceil(length / STEP_MM), FEWEST_STEPS);
     if (!array_reserve(out, (size_t)n + 1))

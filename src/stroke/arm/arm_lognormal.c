@@ -13,7 +13,7 @@
  */
 #include "base/number/normal.h"
 #include "base/number/random.h"
-#include "stroke/stroke.h"
+#include "stroke/arm/arm.h"
 
 #include <math.h>
 
@@ -32,7 +32,7 @@ static double share(double t, double mu, double sigma)
     return t > 0 ? plb_normal_share((log(t) - mu) / sigma) : 0;
 }
 
-double plb_lognormal_progress(uint64_t key, double tau)
+static double lognormal_progress(uint64_t key, double tau)
 {
     double sigma = SIGMA_1 + SIGMA_1_SPREAD * (2 * random_unit(key, 0) - 1);
     double d2 = BRAKE + BRAKE_SPREAD * (2 * random_unit(key, 1) - 1), d1 = 1 + d2, t = tau * SECONDS;
@@ -44,3 +44,18 @@ double plb_lognormal_bow(uint64_t key)
 {
     return 2 * random_unit(key, 2) - 1;
 }
+
+/* The arc comes on top of the papers' deviations: as high as these are large. */
+static void deviate_on_arc(const movement *m, control *c, size_t n)
+{
+    plb_deviate_freely(m, c, n);
+    plb_add_bow(c, n, m->squiggle * plb_lognormal_bow(m->key));
+}
+
+const arm_model plb_arm_lognormal = {
+    .name = "lognormal",
+    .about = "Plamondon's kinematic theory: delta-lognormal speed, arcs",
+    .squiggle_px = 5, /* as jerk */
+    .progress = lognormal_progress,
+    .deviate = deviate_on_arc,
+};

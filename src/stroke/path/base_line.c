@@ -3,7 +3,7 @@
  * The base line of a path, and what closes every path: arc lengths and tangents.
  * A base line is what the plan says; a path is what the hand makes of it.
  */
-#include "stroke/arm/trajectory.h"
+#include "stroke/path/trajectory.h"
 
 base_line plb_base_line(const stroke_list *list, const stroke *s)
 {
@@ -16,6 +16,11 @@ double plb_base_length(const base_line *b)
     for (size_t i = 1; i < b->n; i++)
         sum += plb_point_distance(b->v[i - 1], b->v[i]);
     return sum;
+}
+
+point plb_base_way(const base_line *b)
+{
+    return point_sub(b->v[b->n - 1], b->v[0]);
 }
 
 double plb_base_extent(const base_line *b)

@@ -11,7 +11,7 @@
 #include "base/geometry/interpolate.h"
 #include "base/number/random.h"
 #include "base/number/units.h"
-#include "stroke/stroke.h"
+#include "stroke/arm/hand.h"
 
 #include <math.h>
 
@@ -77,12 +77,12 @@ void plb_hand_reach(hand *h, double extent)
         h->amplitude[k] *= share;
 }
 
-void plb_hand_keep(hand *h, double room)
+void plb_hand_keep(hand *h, double limit)
 {
     double squares = h->lean * h->lean;
     for (int k = 0; k < h->waves; k++)
         squares += h->amplitude[k] * h->amplitude[k];
-    double reach = 1.4 * sqrt(squares), share = reach > room ? room / reach : 1; /* 1.4: modes hardly ever peak together */
+    double reach = 1.4 * sqrt(squares), share = reach > limit ? limit / reach : 1; /* 1.4: modes hardly ever peak together */
     for (int k = 0; k < h->waves; k++)
         h->amplitude[k] *= share;
     h->lean *= share;

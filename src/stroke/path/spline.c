@@ -7,7 +7,7 @@
  * The spline runs in the line's own frame: `along` the base line and `off` it. On a straight base line this is the
  * papers' spline exactly. On a curved one, where they are silent, the deviation rides on the curve's normal.
  */
-#include "stroke/arm/trajectory.h"
+#include "stroke/path/spline.h"
 
 #include <math.h>
 
@@ -49,9 +49,9 @@ static void extend(const control *c, size_t n, bool closed, control out[CONTROLS
 /* A closed line has no ends: what deviates close to its joint would be a kink there (chosen by eye). */
 #define JOINT_DEVIATION 0.25
 
-size_t plb_path_spline_controls(double length, point way, const stroke *s, const stroke_options *o, control c[CONTROLS_MAX])
+size_t plb_path_spline_controls(const arm_model *arm, double length, point way, const stroke *s, const stroke_options *o, control c[CONTROLS_MAX])
 {
-    size_t n = plb_path_controls(length, way, s->identity, o, c);
+    size_t n = plb_movement_controls(arm, length, way, s->identity, o, c);
     if (s->closed) {
         c[1].off *= JOINT_DEVIATION;
         c[n - 2].off *= JOINT_DEVIATION;
@@ -85,10 +85,10 @@ static bool sample_piece(base_line *b, const control c[4], double length, size_t
     return true;
 }
 
-bool plb_path_spline(base_line *b, const stroke *s, double length, const stroke_options *o, path_samples *out)
+bool plb_path_spline(base_line *b, const arm_model *arm, const stroke *s, double length, const stroke_options *o, path_samples *out)
 {
     control c[CONTROLS_MAX], all[CONTROLS_MAX + 2];
-    size_t n = plb_path_spline_controls(length, point_sub(b->v[b->n - 1], b->v[0]), s, o, c), wanted = count_samples(s, length);
+    size_t n = plb_path_spline_controls(arm, length, plb_base_way(b), s, o, c), wanted = count_samples(s, length);
     extend(c, n, s->closed, all);
     path_sample start = {.at = b->v[0]};
     if (!array_push(out, start))

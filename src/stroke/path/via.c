@@ -16,7 +16,7 @@
  * so that continuity gives two equations for the two unknowns (v, a) of each inner place: a block-tridiagonal system,
  * solved by elimination in one pass forth and one back. At the ends the hand rests: v = a = 0.
  */
-#include "stroke/arm/trajectory.h"
+#include "stroke/path/via.h"
 
 /* Rows jerk, snap; columns v, a. */
 typedef via_block block;
