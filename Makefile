@@ -1,7 +1,7 @@
 # Plumbago: one Makefile for everything. `make help` lists the targets.
 # SPDX-License-Identifier: MIT
 
-VERSION = 0.2.0
+VERSION := $(shell awk '/define PLB_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $$3; dot = "." } END { print v }' src/api/plumbago.h)
 
 # ---- settings ---------------------------------------------------------------------------------------------
 PREFIX  = /usr/local
@@ -82,13 +82,9 @@ flags_now := $(CC) $(shell $(CC) -dumpfullversion -dumpversion 2>/dev/null) $(CF
 $(O)/flags: $(call changed,$(O)/flags,$(flags_now))
 	@$(CC) --version >/dev/null 2>&1 && pkg-config --exists $(needed) || { tests/packages --say $(packages_build); exit 1; }
 	$(call keep,$(flags_now))
-# The version and the installed place of the taps are compiled into one object each, which alone is made again when they change.
-$(O)/version: $(call changed,$(O)/version,$(VERSION))
-	$(call keep,$(VERSION))
+# The installed place of the taps is compiled into one object, which alone is made again when it changes.
 $(O)/prefix: $(call changed,$(O)/prefix,$(PREFIX))
 	$(call keep,$(PREFIX))
-$(O)/api/api_internal.o: $(O)/version
-$(O)/api/api_internal.o: DEFINES = -DPLB_VERSION='"$(VERSION)"'
 $(O)/system/process.o: $(O)/prefix
 $(O)/system/process.o: DEFINES = -DPLB_LIBEXECDIR='"$(PREFIX)/libexec/plumbago"'
 

@@ -12,20 +12,18 @@ int main(void)
     cairo_set_source_rgb(cr, 1, 1, 1);
     cairo_paint(cr);
 
-    plb_error error;
-    plb_options options = plb_options_default();
-    plb_profile *pencil = plb_profile_load("2H", &error);
-    options.profile = pencil;
-    bool ok = pencil;
+    plb_error error = {PLB_ERROR_MEMORY, "out of memory"};
+    plb_options *options = plb_options_new();
+    bool ok = options && plb_options_set(options, "pencil", "2H", &error);
     for (unsigned i = 0; ok && i <= 20; i++) {
         double a = 120 + i * 50.0, b = 1120 - i * 50.0;
-        ok = plb_draw_line(paper, a, 120, 1120, a, i, &options, &error) && plb_draw_line(paper, b, 1120, 120, b, i, &options, &error);
+        ok = plb_draw_line(paper, a, 120, 1120, a, i, options, &error) && plb_draw_line(paper, b, 1120, 120, b, i, options, &error);
     }
     if (!ok)
         fprintf(stderr, "line: %s\n", error.text);
     else if (cairo_surface_write_to_png(paper, "line.png") != CAIRO_STATUS_SUCCESS)
         ok = false;
-    plb_profile_free(pencil);
+    plb_options_free(options);
     cairo_destroy(cr);
     cairo_surface_destroy(paper);
     return !ok;

@@ -43,7 +43,10 @@ log_sink plb_api_messenger(const api_adaptor *adaptor)
     return m;
 }
 
+#define TEXT_OF(x) #x
+#define TEXT(x) TEXT_OF(x)
+
 const char *plb_version(void)
 {
-    return PLB_VERSION;
+    return TEXT(PLB_VERSION_MAJOR) "." TEXT(PLB_VERSION_MINOR) "." TEXT(PLB_VERSION_PATCH);
 }

@@ -7,24 +7,32 @@
 #define PLB_API_API_INTERNAL_H
 
 #include "api/plumbago.h"
+#include "api/settings/settings.h"
 #include "base/error.h"
 #include "list/display_list.h"
 #include "list/stroke_list.h"
 #include "profile/profile.h"
+
+#include <stdatomic.h>
 
 typedef struct pencil_rack pencil_rack; /* see pencils.h */
 
 struct plb_profile {
     profile *p;
     pencil_rack *pencil_cache; /* what has been made from it */
+    atomic_size_t references;  /* the caller's, and one for each of the options that hold it */
 };
+
+/* The same pencil once more, to be released by plb_profile_free. */
+plb_profile *plb_api_profile_share(const plb_profile *pencil);
 
 /* Empty; NULL when out of memory. */
 pencil_rack *plb_api_rack_new(void);
 void plb_api_rack_free(pencil_rack *r);
 
 struct plb_drawing {
-    char *name; /* of its file, for messages */
+    char *name;           /* of its file, for messages */
+    plb_options *options; /* it was loaded with; owned */
     display_list list;
     stroke_list strokes;
 };

@@ -75,7 +75,7 @@ static bool draw(plb_drawing *d, const input_source *in, const plb_options *o, e
     if (!fit(&d->list, o, &late) || (plb_api_needs_tone(&d->list, &how) && !plb_api_measure_tone(o, &how, &late)) ||
         !plb_plan(&d->list, &how, &named, &d->strokes, &late))
         return plb_fail(err, late.kind, "%s: %s", d->name, late.text);
-    mark_page(&d->strokes, o->page);
+    mark_page(&d->strokes, (unsigned)o->page);
     report_omissions(d, &left_out, &in->say);
     return true;
 }
@@ -88,7 +88,8 @@ plb_drawing *plb_api_draw(const input_source *in, const plb_options *o, error *e
         return NULL;
     }
     plb_list_init(&d->list);
-    if (draw(d, in, o, err))
+    d->options = plb_options_copy(o);
+    if (d->options ? draw(d, in, o, err) : plb_fail_memory(err))
         return d;
     plb_drawing_free(d);
     return NULL;
@@ -99,6 +100,7 @@ void plb_drawing_free(plb_drawing *d)
     if (!d)
         return;
     plb_free(d->name);
+    plb_options_free(d->options);
     plb_list_free(&d->list);
     plb_stroke_list_free(&d->strokes);
     plb_free(d);

@@ -14,22 +14,20 @@
 /* The drawing in a file; NULL and `err` on failure. */
 plb_drawing *plb_api_draw(const input_source *in, const plb_options *o, error *err);
 
-/* Whether the options make sense. */
-bool plb_api_check(const plb_options *o, error *err);
-
 /* What the options, which make sense, ask of the plan. */
 plan_options plb_api_plan_options(const plb_options *o);
 
-/* The pencil of a call, ready to draw: borrowed from the options or HB, loaded for the call. */
+/* The pencil of a call, borrowed from the options, ready to draw. */
 typedef struct {
-    plb_profile *own; /* NULL when borrowed */
     const plb_profile *profile;
     const pencil *pencil; /* the profile's */
     graphite ink;
     stroke_options stroke;
 } render_context;
 
+/* The options of a call that draws: `given`, or those of loading where NULL. NULL and `err` when they contradict these. */
+const plb_options *plb_api_options_for(const plb_drawing *d, const plb_options *given, error *err);
+
 bool plb_api_context_init(render_context *t, const plb_options *o, error *err);
-void plb_api_context_free(render_context *t);
 
 #endif

@@ -45,7 +45,15 @@ typedef struct {
 /* Called for warnings (level 0) and details (level 1) while a call runs; `text` is one line, valid during the call. */
 typedef void (*plb_message_function)(void *closure, int level, const char *text);
 
-/* "0.2.0" */
+/* Told now and then how much of a call is done, 0 to 1, by the thread that made the call. */
+typedef void (*plb_progress_function)(void *closure, double done);
+
+/* The version that a program is compiled with. The numbers grow with it: #if PLB_VERSION_NUMBER >= 200. */
+#define PLB_VERSION_MAJOR 0
+#define PLB_VERSION_MINOR 2
+#define PLB_VERSION_PATCH 0
+#define PLB_VERSION_NUMBER (PLB_VERSION_MAJOR * 10000 + PLB_VERSION_MINOR * 100 + PLB_VERSION_PATCH)
+/* The version of the library that it runs with: "0.2.0". */
 PLB_API const char *plb_version(void);
 
 /* Reads a length: a number or a fraction, then mm, cm, in, pt or px (1/96 inch, also meant without a unit), as
@@ -98,79 +106,72 @@ PLB_API bool plb_profile_compare(const plb_profile *a, const plb_profile *b, FIL
 /* Writes histograms, cross-section and co-occurrence matrix as a picture (PNG), complete or not at all. */
 PLB_API bool plb_profile_plot(const plb_profile *profile, const char *file, plb_error *error);
 
-/* ---- drawing --------------------------------------------------------------------------------------------- */
+/* ---- settings -------------------------------------------------------------------------------------------- */
+
+/* How a drawing is made. plb_options_new() gives the defaults; what a setting is called, takes and does, plumbago(1) and
+ * plb_setting_at() say. Options are read during the calls that get them; a call changes none. */
+typedef struct plb_options plb_options;
+
+/* The caller frees the result; NULL: out of memory. */
+PLB_API plb_options *plb_options_new(void);
+PLB_API plb_options *plb_options_copy(const plb_options *from);
+PLB_API void plb_options_free(plb_options *options);
+
+/* Sets one by its name and a text, as the command line does: ("arm", "jerk"), ("width", "84mm"), ("colour", "on"). False when
+ * there is no such setting or it does not take the value; then it stays as it was, and `error` says what it takes. */
+PLB_API bool plb_options_set(plb_options *options, const char *name, const char *value, plb_error *error);
+/* The same for settings whose value is a number, in the setting's unit: mm for lengths. */
+PLB_API bool plb_options_set_number(plb_options *options, const char *name, double value, plb_error *error);
+/* Writes the value into `text`, of `size` bytes, as plb_options_set reads it. False when there is no such setting or too little
+ * room. */
+PLB_API bool plb_options_get(const plb_options *options, const char *name, char *text, size_t size);
+
+/* What is no text. The pencil is shared, not copied: the caller may free his at once. */
+PLB_API void plb_options_set_profile(plb_options *options, const plb_profile *profile);
+PLB_API void plb_options_set_seed(plb_options *options, uint64_t seed);
+/* Either function may be NULL: silence. `closure` is handed to it. */
+PLB_API void plb_options_set_message(plb_options *options, plb_message_function message, void *closure);
+PLB_API void plb_options_set_progress(plb_options *options, plb_progress_function progress, void *closure);
 
 typedef enum {
-    PLB_MODEL_HLA,     /* the papers' algorithm, with their constants */
-    PLB_MODEL_GRAPHITE /* hand and grain as measured on real lines; needs a profile with a grain */
-} plb_model;
+    PLB_SETTING_NUMBER,
+    PLB_SETTING_LENGTH, /* "84mm"; the number is mm */
+    PLB_SETTING_RATIO,  /* "0.5", "50%", "1/2" or "1:2" */
+    PLB_SETTING_WHOLE,
+    PLB_SETTING_SEED,   /* whole, of 64 bits */
+    PLB_SETTING_CHOICE,
+    PLB_SETTING_FLAG,   /* "on" or "off" */
+    PLB_SETTING_TEXT,
+    PLB_SETTING_PENCIL  /* a grade or a file */
+} plb_setting_kind;
 
-typedef enum {
-    PLB_ARM_DEFAULT,    /* the model's own: hand for graphite, jerk for hla */
-    PLB_ARM_HAND,   /* a free hand as measured */
-    PLB_ARM_JERK,   /* minimum jerk with random deviation: Al-Meraj et al. 2008 */
-    PLB_ARM_SPRING, /* the force model of the authors' earlier manuscript */
-    PLB_ARM_LOGNORMAL, /* Plamondon's kinematic theory: delta-lognormal speed, arcs */
-    PLB_ARM_TORQUE  /* least change of torque of a two-link arm: Uno, Kawato, Suzuki 1989 */
-} plb_arm;
+/* In which calls a setting counts. A drawing's strokes are planned when it is loaded: what counts then must be the same when
+ * it is drawn, or the call fails and names the setting, unless the setting changes no stroke (COUNTS_FREELY). */
+enum { PLB_COUNTS_LOADING = 1, PLB_COUNTS_DRAWING = 2, PLB_COUNTS_FREELY = 4 };
 
-typedef enum {
-    PLB_FILL_HATCH,   /* a filled shape is hatched to its tone and outlined; thin and small ones are solid */
-    PLB_FILL_OUTLINE, /* a filled shape is drawn as its outline */
-    PLB_FILL_NONE     /* not at all */
-} plb_fill;
-
-typedef enum {
-    PLB_TEXT_HAND,    /* lettering, and other shapes as thin, is drawn stroke by stroke, as a hand writes */
-    PLB_TEXT_OUTLINE, /* as its outlines */
-    PLB_TEXT_NONE     /* not at all */
-} plb_text;
-
-/* Which hand draws: it has its own way with lines of each direction (plumbago(7)). */
-typedef enum { PLB_HAND_RIGHT, PLB_HAND_LEFT, PLB_HAND_NONE } plb_handed;
-/* How rough the paper is: what hollows the graphite model's strokes skip over. */
-typedef enum { PLB_PAPER_MEDIUM, PLB_PAPER_SMOOTH, PLB_PAPER_ROUGH, PLB_PAPER_NONE } plb_paper;
-
-typedef enum { PLB_BACKGROUND_WHITE, PLB_BACKGROUND_NONE } plb_background;
-
-/* Always start from plb_options_default(): fields will be added. */
+/* A setting as the table of the library has it, for command lines, dialogues, bindings. */
 typedef struct {
-    const plb_profile *profile; /* the pencil; NULL: HB */
-    plb_paper paper;            /* what graphite is drawn on; default medium */
-    double pressure;            /* times the usual, 0.2 to 3; default 1 */
-    uint64_t seed;              /* default 1 */
-    plb_model model;            /* default graphite */
-    plb_arm arm;                /* how the arm moves; default: the model's own */
-    plb_handed handed;          /* default right; none: every direction alike. Model graphite, arm hand */
-    double squiggle;            /* deviation of the path, mm; 0: ruler-straight; negative, the default: the arm's own.
-                                   jerk, spring: the largest; hand: as measured at 5/300 in, else in proportion */
-    double dpi;                 /* pixels per inch of pictures; default 300, 10 to 4800 */
-    double width, height;       /* size of the page, mm; 0: the drawing's own (one given: the other follows) */
-    double scale;               /* factor on the drawing's own size; default 0: 1, or what fits A3 (DXF); not with width or height */
-    double overshoot;           /* lines run past corners by up to so much, mm; default 0 */
-    double restate;             /* share of the long lines that are drawn twice, 0 to 1; default 0 */
-    bool construction;          /* faint lines beyond long lines, axes of circles; default false */
-    plb_fill fill;              /* what becomes of filled shapes; default hatch */
-    plb_text text;              /* what becomes of lettering; default hand */
-    plb_background background;  /* default white */
-    bool colour;                /* each stroke with a pencil of its own colour; default false: all graphite */
-    int threads;                /* at most so many, up to 64; 0, the default: as many as there are processors */
-    int compress;               /* how small files are made: 0, not, to 9; default 1 */
-    unsigned page;              /* which page of a file with several, from 1; 0, the default: the first, and a warning when
-                                   there are others */
-    double limit_time;          /* processor time of the programs that read foreign formats, all for one drawing, s; default 8, 1 to 1e6 */
-    double limit_memory;        /* memory of each, MiB; default 1024, 64 to 1e6 */
-    const char *helper_dir;     /* where the programs that read foreign formats (tap-svg and its like) lie; NULL: beside the program, else the installed place */
-    plb_message_function message; /* NULL: silence */
-    void (*progress)(void *closure, double done); /* told 0 to 1 now and then; may be NULL */
-    void *closure;              /* for message and progress */
-} plb_options;
-PLB_API plb_options plb_options_default(void);
+    const char *name;
+    char letter;          /* of a short option, or 0 */
+    const char *group;    /* the heading under which it is listed */
+    plb_setting_kind kind;
+    const char *argument; /* what a usage line calls the value; of a choice, its words: "white|none"; of a flag, NULL */
+    double min, max;      /* of numbers, in `unit` */
+    const char *unit;
+    const char *usual;    /* the default, as plb_options_set takes it; "auto": it goes by the drawing, or the like */
+    const char *help;     /* one line */
+    unsigned calls;       /* PLB_COUNTS_… */
+} plb_setting;
+/* The settings in the order of their groups; NULL past the last. */
+PLB_API const plb_setting *plb_setting_at(size_t index);
+
+/* ---- drawing --------------------------------------------------------------------------------------------- */
 
 /* A drawing: what a file holds, planned as pencil strokes. */
 typedef struct plb_drawing plb_drawing;
 
-/* In all calls `drawing`, `file` and `options` must not be NULL; `error` may be. */
+/* In all calls `drawing` and `file` must not be NULL; `error` may be, and `options`: where a drawing is loaded that stands for
+ * the defaults, where it is drawn for the options it was loaded with. */
 
 /* Reads SVG (.svg, .svgz), PDF, PostScript (.ps, .eps) or DXF, recognised by content, from `file` ("-": standard input), at
  * the size that `options` ask for. The caller frees the result. NULL and `error` on failure. */
@@ -189,14 +190,14 @@ PLB_API plb_file *plb_file_load(const char *file, plb_error *error);
 PLB_API void plb_file_free(plb_file *file);
 /* How many pages it has; 0 and `error` on failure. */
 PLB_API unsigned plb_file_pages(const plb_file *file, const plb_options *options, plb_error *error);
-/* The drawing on options->page. The caller frees the result. NULL and `error` on failure. */
+/* The drawing on the page that the setting `page` names. The caller frees the result. NULL and `error` on failure. */
 PLB_API plb_drawing *plb_file_draw(const plb_file *file, const plb_options *options, plb_error *error);
 
 /* Writes the drawing as PNG to `file` (complete or not at all; "-": standard output). */
 PLB_API bool plb_drawing_write_png(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
 /* The same as PDF: one page of the drawing's true size. */
 PLB_API bool plb_drawing_write_pdf(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
-/* The drawing on a new cairo image surface of its size at options->dpi: CAIRO_FORMAT_ARGB32, graphite on white or on
+/* The drawing on a new cairo image surface of its size at the setting `dpi`: CAIRO_FORMAT_ARGB32, graphite on white or on
  * nothing. The caller destroys it. NULL and `error` on failure. */
 PLB_API cairo_surface_t *plb_drawing_render(const plb_drawing *drawing, const plb_options *options, plb_error *error);
 
@@ -207,7 +208,7 @@ typedef enum { PLB_DUMP_LIST, PLB_DUMP_STROKES, PLB_DUMP_CONTROLS } plb_dump;
 PLB_API bool plb_drawing_dump(const plb_drawing *drawing, plb_dump what, const char *file, const plb_options *options, plb_error *error);
 
 /* Draws one pencil line from (x0, y0) to (x1, y1) onto a cairo image surface (ARGB32, RGB24 or A8; not finished), in
- * pixels of the surface, which is taken to have options->dpi. It darkens what is there, as graphite does. `number` tells
+ * pixels of the surface, which is taken to have the setting `dpi`. It darkens what is there, as graphite does. `number` tells
  * lines with the same ends apart. */
 PLB_API bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, double y1, uint64_t number,
                            const plb_options *options, plb_error *error);

@@ -33,56 +33,60 @@ static const option *find_letter(const option *table, size_t n, char letter)
     return NULL;
 }
 
-static bool store(const char *program, const option *o, void *settings, const char *value)
+static bool store(const option_parser *by, const option *o, void *settings, const char *value)
 {
-    if (o->set(settings, value))
+    const char *program = by->program;
+    char why[OPTION_WHY_SIZE] = "";
+    if (o->set ? o->set(settings, value) : by->store(settings, o, value, why))
         return true;
-    fprintf(stderr, "%s: wrong value for --%s: '", program, o->name);
-    streams_put(stderr, value ? value : "", value ? strlen(value) : 0);
-    fprintf(stderr, "'; it takes %s; try '%s --help'\n", o->argument, program);
+    if (!*why)
+        snprintf(why, sizeof why, "%s takes %s; not '%.80s'", o->name, o->argument, value ? value : "");
+    fprintf(stderr, "%s: --", program);
+    streams_put(stderr, why, strlen(why));
+    fprintf(stderr, "; try '%s --help'\n", program);
     return false;
 }
 
 /* "--name", "--name=value" or "--name" "value"; moves *i over a value of its own. */
-static bool parse_long(const char *program, const option *table, size_t n, int argc, char **argv, int *i, void *settings)
+static bool parse_long(const option_parser *by, int argc, char **argv, int *i, void *settings)
 {
     const char *name = argv[*i] + 2, *equals = strchr(name, '=');
     size_t length = equals ? (size_t)(equals - name) : strlen(name);
-    const option *o = find_name(table, n, name, length);
+    const option *o = find_name(by->table, by->n, name, length);
     if (!o)
-        return complain(program, "there is no option", argv[*i], length + 2);
+        return complain(by->program, "there is no option", argv[*i], length + 2);
     if (!o->argument)
-        return equals ? complain(program, "no value belongs to", argv[*i], length + 2) : store(program, o, settings, NULL);
+        return equals ? complain(by->program, "no value belongs to", argv[*i], length + 2) : store(by, o, settings, NULL);
     if (equals)
-        return store(program, o, settings, equals + 1);
+        return store(by, o, settings, equals + 1);
     if (*i + 1 >= argc)
-        return complain(program, "a value is missing after", argv[*i], length + 2);
-    return store(program, o, settings, argv[++*i]);
+        return complain(by->program, "a value is missing after", argv[*i], length + 2);
+    return store(by, o, settings, argv[++*i]);
 }
 
 /* "-qv", "-ofile" or "-o" "file". */
-static bool parse_letters(const char *program, const option *table, size_t n, int argc, char **argv, int *i, void *settings)
+static bool parse_letters(const option_parser *by, int argc, char **argv, int *i, void *settings)
 {
     for (const char *p = argv[*i] + 1; *p; p++) {
-        const option *o = find_letter(table, n, *p);
+        const option *o = find_letter(by->table, by->n, *p);
         char shown[3] = {'-', *p, '\0'};
         if (!o)
-            return complain(program, "there is no option", shown, 2);
+            return complain(by->program, "there is no option", shown, 2);
         if (!o->argument) {
-            if (!store(program, o, settings, NULL))
+            if (!store(by, o, settings, NULL))
                 return false;
             continue;
         }
         if (p[1])
-            return store(program, o, settings, p + 1);
+            return store(by, o, settings, p + 1);
         if (*i + 1 >= argc)
-            return complain(program, "a value is missing after", shown, 2);
-        return store(program, o, settings, argv[++*i]);
+            return complain(by->program, "a value is missing after", shown, 2);
+        return store(by, o, settings, argv[++*i]);
     }
     return true;
 }
 
-bool options_parse(const char *program, const option *table, size_t n, int argc, char **argv, void *settings, int *operands)
+bool options_parse(const option_parser *by, int argc, char **argv, void *settings, int *operands)
 {
     bool ended = false;
     *operands = 0;
@@ -93,7 +97,7 @@ bool options_parse(const char *program, const option *table, size_t n, int argc,
             ended = true;
         else if (!is_option)
             argv[(*operands)++] = argv[i];
-        else if (word[1] == '-' ? !parse_long(program, table, n, argc, argv, &i, settings) : !parse_letters(program, table, n, argc, argv, &i, settings))
+        else if (word[1] == '-' ? !parse_long(by, argc, argv, &i, settings) : !parse_letters(by, argc, argv, &i, settings))
             return false;
     }
     return true;

@@ -18,10 +18,12 @@
 
 #define PROGRAM "plumbago"
 
+#define MAX_OPTIONS 64 /* with headings */
+
 enum { EXIT_DRAWN = 0, EXIT_NOT_DRAWN = 1, EXIT_WRONG_COMMAND = 2 };
 
 typedef struct {
-    plb_options o;
+    plb_options *o;
     const char *output, *pencil;
     const char *pages; /* as --page says: "2", "2-4", "1,5-" or "all"; NULL: the first */
     int dump; /* a plb_dump, or -1 */
@@ -32,141 +34,10 @@ typedef struct {
     time_t started;
 } settings;
 
-/* ---- values ---- */
-
-static bool parse_number(const char *text, double *value)
-{
-    char *end;
-    if (text[strspn(text, "0123456789.eE+-")] != '\0') /* no hexadecimal, no infinity */
-        return false;
-    *value = strtod(text, &end); /* this program never leaves the C locale */
-    return end != text && *end == '\0';
-}
-
-static bool parse_seed(const char *text, uint64_t *seed)
-{
-    uint64_t v = 0;
-    for (const char *p = text; *p; p++) {
-        if (*p < '0' || *p > '9' || v > (UINT64_MAX - (uint64_t)(*p - '0')) / 10)
-            return false;
-        v = v * 10 + (uint64_t)(*p - '0');
-    }
-    *seed = v;
-    return *text != '\0';
-}
-
-static bool choose(const char *text, const char *const names[], int n, int *chosen)
-{
-    for (int i = 0; i < n; i++)
-        if (!strcmp(text, names[i])) {
-            *chosen = i;
-            return true;
-        }
-    return false;
-}
-
-/* ---- what each option does ---- */
+/* ---- what is no setting of the library, or more than one ---- */
 
 static bool set_output(void *p, const char *v) { return ((settings *)p)->output = v, *v != '\0'; }
 static bool set_pencil(void *p, const char *v) { return ((settings *)p)->pencil = v, *v != '\0'; }
-static bool set_dpi(void *p, const char *v)
-{
-    double *dpi = &((settings *)p)->o.dpi;
-    return parse_number(v, dpi) && *dpi >= 10 && *dpi <= 4800;
-}
-static bool set_width(void *p, const char *v)
-{
-    double *mm = &((settings *)p)->o.width;
-    return plb_parse_length(v, mm) && *mm > 0 && *mm <= 1e5;
-}
-static bool set_height(void *p, const char *v)
-{
-    double *mm = &((settings *)p)->o.height;
-    return plb_parse_length(v, mm) && *mm > 0 && *mm <= 1e5;
-}
-static bool set_scale(void *p, const char *v)
-{
-    double *f = &((settings *)p)->o.scale, to = 1;
-    char from[32];
-    size_t n = strcspn(v, ":");
-    if (n >= sizeof from || (v[n] && !(parse_number(v + n + 1, &to) && to > 0)))
-        return false;
-    memcpy(from, v, n);
-    from[n] = '\0';
-    return parse_number(from, f) && (*f /= to) > 0 && *f <= 1e4;
-}
-static bool set_seed(void *p, const char *v)
-{
-    settings *s = p;
-    s->random_seed = !strcmp(v, "random");
-    return s->random_seed || parse_seed(v, &s->o.seed);
-}
-static bool set_squiggle(void *p, const char *v)
-{
-    double *mm = &((settings *)p)->o.squiggle;
-    return plb_parse_length(v, mm) && *mm >= 0 && *mm <= 1000;
-}
-static bool set_model(void *p, const char *v)
-{
-    int i;
-    return choose(v, (const char *const[]){"hla", "graphite"}, 2, &i) ? (((settings *)p)->o.model = (plb_model)i, true) : false;
-}
-static bool set_arm(void *p, const char *v)
-{
-    int i;
-    return choose(v, (const char *const[]){"", "hand", "jerk", "spring", "lognormal", "torque"}, 6, &i) && i > 0 ? (((settings *)p)->o.arm = (plb_arm)i, true) : false;
-}
-static bool set_fill(void *p, const char *v)
-{
-    int i;
-    return choose(v, (const char *const[]){"hatch", "outline", "none"}, 3, &i) ? (((settings *)p)->o.fill = (plb_fill)i, true) : false;
-}
-static bool set_text(void *p, const char *v)
-{
-    int i;
-    return choose(v, (const char *const[]){"hand", "outline", "none"}, 3, &i) ? (((settings *)p)->o.text = (plb_text)i, true) : false;
-}
-static bool set_hand(void *p, const char *v)
-{
-    int i;
-    return choose(v, (const char *const[]){"right", "left", "none"}, 3, &i) ? (((settings *)p)->o.handed = (plb_handed)i, true) : false;
-}
-static bool set_pressure(void *p, const char *v)
-{
-    double *f = &((settings *)p)->o.pressure;
-    return parse_number(v, f) && *f >= 0.2 && *f <= 3;
-}
-static bool set_paper(void *p, const char *v)
-{
-    int i;
-    return choose(v, (const char *const[]){"medium", "smooth", "rough", "none"}, 4, &i) ? (((settings *)p)->o.paper = (plb_paper)i, true) : false;
-}
-static bool set_overshoot(void *p, const char *v)
-{
-    double *mm = &((settings *)p)->o.overshoot;
-    return plb_parse_length(v, mm) && *mm >= 0 && *mm <= 100;
-}
-static bool set_restate(void *p, const char *v)
-{
-    double *share = &((settings *)p)->o.restate;
-    return parse_number(v, share) && *share >= 0 && *share <= 1;
-}
-static bool set_construction(void *p, const char *v) { return (void)v, ((settings *)p)->o.construction = true; }
-static bool set_background(void *p, const char *v)
-{
-    int i;
-    return choose(v, (const char *const[]){"white", "none"}, 2, &i) ? (((settings *)p)->o.background = (plb_background)i, true) : false;
-}
-static bool parse_int(const char *text, int most, int *value)
-{
-    uint64_t v;
-    bool ok = parse_seed(text, &v) && v <= (uint64_t)most;
-    *value = ok ? (int)v : *value;
-    return ok;
-}
-static bool set_colour(void *p, const char *v) { return (void)v, ((settings *)p)->o.colour = true; }
-static bool set_threads(void *p, const char *v) { return parse_int(v, 64, &((settings *)p)->o.threads) && *v != '0'; }
-static bool set_compress(void *p, const char *v) { return parse_int(v, 9, &((settings *)p)->o.compress); }
 static bool set_page(void *p, const char *v)
 {
     const char *list = v;
@@ -175,19 +46,13 @@ static bool set_page(void *p, const char *v)
     while (pages_next(&list, &range)) {}
     return *v && !*list;
 }
-static bool set_limit_time(void *p, const char *v)
-{
-    double *s = &((settings *)p)->o.limit_time;
-    return parse_number(v, s) && *s >= 1 && *s <= 1e6;
-}
-static bool set_limit_memory(void *p, const char *v)
-{
-    double *mib = &((settings *)p)->o.limit_memory;
-    return parse_number(v, mib) && *mib >= 64 && *mib <= 1e6;
-}
 static bool set_dump(void *p, const char *v)
 {
-    return choose(v, (const char *const[]){"list", "strokes", "controls"}, 3, &((settings *)p)->dump);
+    static const char *const names[] = {"list", "strokes", "controls"};
+    for (int i = 0; i < 3; i++)
+        if (!strcmp(v, names[i]))
+            return ((settings *)p)->dump = i, true;
+    return false;
 }
 static bool set_list_pencils(void *p, const char *v) { return (void)v, ((settings *)p)->list_pencils = true; }
 static bool set_quiet(void *p, const char *v)
@@ -207,50 +72,64 @@ static bool set_verbose(void *p, const char *v)
 static bool set_version(void *p, const char *v) { return (void)v, ((settings *)p)->version = true; }
 static bool set_help(void *p, const char *v) { return (void)v, ((settings *)p)->help = true; }
 
-static const option table[] = {
-    {0, NULL, NULL, "Input", NULL},
-    {0, "page", "N|N-M|all", "which pages of a PDF or PostScript file, also a list [1]", set_page},
-    {0, "limit-time", "SECONDS", "processor time of the programs that read a drawing for us [8]", set_limit_time},
-    {0, "limit-memory", "MIB", "memory of each program that reads for us [1024]", set_limit_memory},
-    {0, NULL, NULL, "Output", NULL},
-    {'o', "output", "FILE", "PNG or .pdf, '-': standard output; %s: drawing, %d: page [FILE.png]", set_output},
-    {'d', "dpi", "DPI", "resolution, 10 to 4800 pixels per inch [300]", set_dpi},
-    {0, "background", "white|none", "paper, or nothing behind the graphite [white]", set_background},
-    {0, "compress", "0..9", "0: large at once, 9: small and slow [1]", set_compress},
-    {0, NULL, NULL, "Size on paper (LEN: a number or fraction with mm cm in pt px)", NULL},
-    {0, "width", "LEN", "width of the page [the drawing's own]", set_width},
-    {0, "height", "LEN", "height of the page [the drawing's own]", set_height},
-    {0, "scale", "F", "times its own size, as 0.5 or 1:2 [1; DXF: fits A3]", set_scale},
-    {0, NULL, NULL, "Pencil", NULL},
-    {'p', "pencil", "GRADE|FILE", "2H H F HB B 3B 6B 8B or a .pencil file [HB]", set_pencil},
-    {0, "list-pencils", NULL, "show the pencils that are built in", set_list_pencils},
-    {0, "pressure", "F", "0.2 to 3 times the usual: paler and grainier, or darker [1]", set_pressure},
-    {0, "paper", "smooth|medium|rough|none", "the tooth of the paper, which all strokes share [medium]", set_paper},
-    {0, NULL, NULL, "Hand", NULL},
-    {'s', "seed", "SEED", "a number, or 'random': another hand for the same drawing [1]", set_seed},
-    {0, "squiggle", "LEN", "how far lines stray; 0: ruler-straight [5/300in: as measured]", set_squiggle},
-    {0, "model", "graphite|hla", "how lines are made: as measured, or the papers' algorithm [graphite]", set_model},
-    {0, "arm", "hand|jerk|spring|lognormal|torque", "how the arm moves [hand; with --model hla: jerk]", set_arm},
-    {0, "hand", "right|left|none", "which hand draws; none: all directions alike [right]", set_hand},
-    {0, "overshoot", "LEN", "lines run past corners by up to LEN [0]", set_overshoot},
-    {0, "restate", "F", "share of the long lines that are drawn twice, 0 to 1 [0]", set_restate},
-    {0, "construction", NULL, "faint construction lines beyond long lines, axes of circles", set_construction},
-    {0, NULL, NULL, "What is drawn", NULL},
-    {0, "fill", "hatch|outline|none", "what becomes of filled shapes [hatch]", set_fill},
-    {0, "text", "hand|outline|none", "what becomes of lettering [hand]", set_text},
-    {0, "colour", NULL, "each line with a pencil of its own colour [all graphite]", set_colour},
-    {0, NULL, NULL, "Work", NULL},
-    {0, "threads", "N", "at most N threads, 1 to 64 [as many as processors]", set_threads},
-    {0, NULL, NULL, "Diagnosis", NULL},
-    {0, "dump", "list|strokes|controls", "show what a stage made instead of drawing", set_dump},
-    {'q', "quiet", NULL, "no warnings, no progress", set_quiet},
-    {'v', "verbose", NULL, "say what is done", set_verbose},
-    {0, "version", NULL, "show the version", set_version},
-    {0, "help", NULL, "show this help", set_help},
+/* The program's own options: each is listed after the setting or option that it names, and one with the name of a setting stands
+ * in its place. */
+static const struct {
+    const char *after, *group;
+    option o;
+} own[] = {
+    {NULL, "Input", {0, "page", "N|N-M|all", "which pages of a PDF or PostScript file, also a list [1]", set_page}},
+    {"dpi", "Output", {'o', "output", "FILE", "PNG or .pdf, '-': standard output; %s: drawing, %d: page [FILE.png]", set_output}},
+    {NULL, "Pencil", {'p', "pencil", "GRADE|FILE", "2H H F HB B 3B 6B 8B or a .pencil file [HB]", set_pencil}},
+    {"pencil", "Pencil", {0, "list-pencils", NULL, "show the pencils that are built in", set_list_pencils}},
+    {NULL, "Diagnosis", {0, "dump", "list|strokes|controls", "show what a stage made instead of drawing", set_dump}},
+    {NULL, "Diagnosis", {'q', "quiet", NULL, "no warnings, no progress", set_quiet}},
+    {NULL, "Diagnosis", {'v', "verbose", NULL, "say what is done", set_verbose}},
+    {NULL, "Diagnosis", {0, "version", NULL, "show the version", set_version}},
+    {NULL, "Diagnosis", {0, "help", NULL, "show this help", set_help}},
 };
-#define TABLE_ROWS (sizeof table / sizeof *table)
+#define OWN_ROWS (sizeof own / sizeof *own)
 
-static void print_help(void)
+/* A setting of the library. Its errors begin with its name. */
+static bool store_setting(void *p, const option *o, const char *v, char why[OPTION_WHY_SIZE])
+{
+    settings *s = p;
+    plb_error e = {PLB_OK, ""};
+    if (!strcmp(o->name, "seed") && !strcmp(v, "random"))
+        return s->random_seed = true;
+    s->random_seed = s->random_seed && strcmp(o->name, "seed") != 0;
+    if (plb_options_set(s->o, o->name, v ? v : "on", &e))
+        return true;
+    snprintf(why, OPTION_WHY_SIZE, "%s", e.text);
+    return false;
+}
+
+/* Headings, settings and own options in the order of --help. */
+static size_t make_table(option *to)
+{
+    option *next = to;
+    const plb_setting *s;
+    const char *group = "";
+    for (size_t i = 0; (s = plb_setting_at(i)); i++) {
+        if (strcmp(group, s->group) != 0)
+            *next++ = (option){.help = group = s->group};
+        const option *instead = NULL;
+        for (size_t k = 0; k < OWN_ROWS; k++)
+            if (!strcmp(own[k].o.name, s->name))
+                instead = &own[k].o;
+        *next++ = instead ? *instead : (option){s->letter, s->name, s->argument, s->help, NULL};
+        for (size_t k = 0; k < OWN_ROWS; k++)
+            if (own[k].after && !strcmp(own[k].after, s->name))
+                *next++ = own[k].o;
+    }
+    *next++ = (option){.help = "Diagnosis"};
+    for (size_t k = 0; k < OWN_ROWS; k++)
+        if (!strcmp(own[k].group, "Diagnosis"))
+            *next++ = own[k].o;
+    return (size_t)(next - to);
+}
+
+static void print_help(const option *table, size_t n)
 {
     printf("usage: " PROGRAM " [options] [FILE...]\n"
            "\n"
@@ -258,7 +137,7 @@ static void print_help(void)
            "\n"
            "  " PROGRAM " plan.svg                          plan.png appears beside it\n"
            "  " PROGRAM " -p 6B plan.ps -o - | display      in a pipe, with a soft pencil\n");
-    options_print(table, TABLE_ROWS);
+    options_print(table, n);
     printf("\nExit status: 0 drawn, 1 the drawing could not be made, 2 wrong command line.\n");
 }
 
@@ -367,8 +246,8 @@ static const char *refuse_format(const settings *s)
 static bool write_result(const settings *s, const plb_drawing *d, const char *to, plb_error *e)
 {
     if (s->dump >= 0)
-        return plb_drawing_dump(d, (plb_dump)s->dump, to, &s->o, e);
-    return (ends_with(to, ".pdf") ? plb_drawing_write_pdf : plb_drawing_write_png)(d, to, &s->o, e);
+        return plb_drawing_dump(d, (plb_dump)s->dump, to, s->o, e);
+    return (ends_with(to, ".pdf") ? plb_drawing_write_pdf : plb_drawing_write_png)(d, to, s->o, e);
 }
 
 static bool look_at(const char *name, int stream, struct stat *st)
@@ -405,9 +284,11 @@ static char *result_name(const settings *s, const job *j, unsigned page)
 
 static void tell_drawn(const settings *s, const plb_drawing *d, const char *to)
 {
-    char text[1024];
-    snprintf(text, sizeof text, "%zu strokes on %.1f x %.1f mm with %s, seed %llu: %s", plb_drawing_strokes(d), plb_drawing_width(d),
-             plb_drawing_height(d), plb_profile_name(s->o.profile), (unsigned long long)s->o.seed, to);
+    char text[1024], pencil[64] = "", seed[32] = "";
+    plb_options_get(s->o, "pencil", pencil, sizeof pencil);
+    plb_options_get(s->o, "seed", seed, sizeof seed);
+    snprintf(text, sizeof text, "%zu strokes on %.1f x %.1f mm with %s, seed %s: %s", plb_drawing_strokes(d), plb_drawing_width(d),
+             plb_drawing_height(d), pencil, seed, to);
     print_line("", text);
 }
 
@@ -421,8 +302,9 @@ static int draw(settings *s, const job *j, unsigned page)
         free(to);
         return wrong("the result would replace the drawing: name another file with -o");
     }
-    s->o.page = page;
-    plb_drawing *d = plb_file_draw(j->file, &s->o, &e);
+    if (page)
+        plb_options_set_number(s->o, "page", page, NULL);
+    plb_drawing *d = plb_file_draw(j->file, s->o, &e);
     bool ok = d && write_result(s, d, to, &e);
     if (ok && s->verbose)
         tell_drawn(s, d, to);
@@ -448,7 +330,7 @@ static int draw_pages(settings *s, const job *j)
     const char *list = s->pages;
     if (!list)
         return draw(s, j, 0);
-    unsigned count = j->several ? plb_file_pages(j->file, &s->o, &e) : 1;
+    unsigned count = j->several ? plb_file_pages(j->file, s->o, &e) : 1;
     if (!count)
         return fail(s, &e);
     if (j->several && count > 1 && !pages_has_number(j->to) && !is_text(s))
@@ -539,41 +421,52 @@ static int run_all(settings *s, char *const inputs[], int n)
     if (refused)
         return wrong(refused);
     if (s->random_seed) {
-        s->o.seed = random_seed();
-        fprintf(stderr, PROGRAM ": seed %llu\n", (unsigned long long)s->o.seed);
+        uint64_t seed = random_seed();
+        plb_options_set_seed(s->o, seed);
+        fprintf(stderr, PROGRAM ": seed %llu\n", (unsigned long long)seed);
     }
-    s->o.message = on_message;
-    s->o.progress = !s->quiet && isatty(STDERR_FILENO) ? on_progress : NULL;
-    s->o.closure = s;
-    plb_profile *pencil = plb_profile_load(s->pencil, &e);
-    s->o.profile = pencil;
-    int worst = pencil ? EXIT_DRAWN : fail(s, &e);
-    for (int i = 0; pencil && i < n; i++) {
+    plb_options_set_message(s->o, on_message, s);
+    plb_options_set_progress(s->o, !s->quiet && isatty(STDERR_FILENO) ? on_progress : NULL, s);
+    int worst = !s->pencil || plb_options_set(s->o, "pencil", s->pencil, &e) ? EXIT_DRAWN : fail(s, &e);
+    for (int i = 0; e.status == PLB_OK && i < n; i++) {
         int status = run(s, inputs[i]);
         worst = status > worst ? status : worst;
     }
-    plb_profile_free(pencil);
     return worst;
+}
+
+/* What the command line asks for. */
+static int obey(settings *s, const option *table, size_t n, char *const inputs[], int operands)
+{
+    char width[32], height[32], scale[32];
+    int status = EXIT_DRAWN;
+    plb_options_get(s->o, "width", width, sizeof width);
+    plb_options_get(s->o, "height", height, sizeof height);
+    plb_options_get(s->o, "scale", scale, sizeof scale);
+    if (s->help)
+        print_help(table, n);
+    else if (s->version)
+        printf(PROGRAM " %s\n", plb_version());
+    else if (s->list_pencils)
+        status = list_pencils();
+    else if (strcmp(scale, "auto") && (strcmp(width, "auto") || strcmp(height, "auto")))
+        return wrong("--scale goes neither with --width nor with --height");
+    else
+        return run_all(s, operands ? inputs : (char *[]){"-"}, operands ? operands : 1);
+    return streams_flush(PROGRAM) ? status : EXIT_NOT_DRAWN;
 }
 
 int main(int argc, char **argv)
 {
     if (!surroundings_prepare(PROGRAM))
         return EXIT_NOT_DRAWN;
-    settings s = {.o = plb_options_default(), .pencil = "HB", .dump = -1};
+    settings s = {.o = plb_options_new(), .dump = -1};
+    if (!s.o)
+        return no_memory();
+    option table[MAX_OPTIONS];
     int operands;
-    if (!options_parse(PROGRAM, table, TABLE_ROWS, argc, argv, &s, &operands))
-        return EXIT_WRONG_COMMAND;
-    int status = EXIT_DRAWN;
-    if (s.help)
-        print_help();
-    else if (s.version)
-        printf(PROGRAM " %s\n", plb_version());
-    else if (s.list_pencils)
-        status = list_pencils();
-    else if (s.o.scale > 0 && (s.o.width > 0 || s.o.height > 0))
-        return wrong("--scale goes neither with --width nor with --height");
-    else
-        return run_all(&s, operands ? argv : (char *[]){"-"}, operands ? operands : 1);
-    return streams_flush(PROGRAM) ? status : EXIT_NOT_DRAWN;
+    const option_parser parser = {PROGRAM, table, make_table(table), store_setting};
+    int status = options_parse(&parser, argc, argv, &s, &operands) ? obey(&s, table, parser.n, argv, operands) : EXIT_WRONG_COMMAND;
+    plb_options_free(s.o);
+    return status;
 }

@@ -293,7 +293,8 @@ int main(int argc, char **argv)
         return EXIT_NOT_DONE;
     settings s = {.capture = plb_capture_options_default()};
     int operands, status = EXIT_DONE;
-    if (!options_parse(PROGRAM, table, TABLE_ROWS, argc, argv, &s, &operands))
+    const option_parser parser = {PROGRAM, table, TABLE_ROWS, NULL};
+    if (!options_parse(&parser, argc, argv, &s, &operands))
         return EXIT_WRONG_COMMAND;
     s.capture.message = on_message;
     s.capture.closure = &s;

@@ -6,7 +6,7 @@ example a.svg
 # ---- what prints and ends ----
 plumbago --version
 is "--version: exit status" $status 0
-is "--version: one line" "$(cat "$TMP/out")" "plumbago $(sed -n 's/^VERSION = //p' "$ROOT/Makefile")"
+is "--version: one line" "$(cat "$TMP/out")" "plumbago $(awk '/define PLB_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; dot = "." } END { print v }' "$ROOT/src/api/plumbago.h")"
 plumbago --help
 is "--help: exit status" $status 0
 if grep -q -- '--dpi' "$TMP/out" && [ ! -s "$TMP/err" ]; then ok "--help: to standard output"; else fail "--help: to standard output" "$(head -n 1 "$TMP/err")"; fi

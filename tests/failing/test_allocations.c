@@ -91,15 +91,17 @@ static outcome draw(const void *what)
 {
     char file[4096];
     snprintf(file, sizeof file, "%s/%s", drawings, (const char *)what);
-    plb_options o = plb_options_default();
-    o.helper_dir = helpers;
-    o.dpi = 72;
-    o.threads = 1;
-    o.fill = strstr(file, "hatch") ? PLB_FILL_HATCH : PLB_FILL_OUTLINE; /* hatching draws samples first: many allocations */
+    plb_options *o = plb_options_new();
+    if (!o)
+        return OUT_OF_MEMORY;
     plb_error failed = {PLB_OK, ""};
-    plb_drawing *d = plb_drawing_load(file, &o, &failed);
-    bool good = d && plb_drawing_write_png(d, "out.png", &o, &failed);
+    /* hatching draws samples first: many allocations */
+    bool set = plb_options_set(o, "helper-dir", helpers, &failed) && plb_options_set(o, "dpi", "72", &failed) &&
+               plb_options_set(o, "threads", "1", &failed) && plb_options_set(o, "fill", strstr(file, "hatch") ? "hatch" : "outline", &failed);
+    plb_drawing *d = set ? plb_drawing_load(file, o, &failed) : NULL;
+    bool good = d && plb_drawing_write_png(d, "out.png", o, &failed);
     plb_drawing_free(d);
+    plb_options_free(o);
     if (!good)
         CHECK(access("out.png", F_OK) != 0);
     unlink("out.png");

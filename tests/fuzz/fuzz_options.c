@@ -22,13 +22,20 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     for (char *at = text; at < text + size && argc < WORDS; at += strlen(at) + 1)
         argv[argc++] = at;
     argv[argc] = NULL;
-    settings s = {.o = plb_options_default(), .pencil = "HB", .dump = -1};
+    settings s = {.o = plb_options_new(), .dump = -1};
+    option table[MAX_OPTIONS];
     int operands = 0;
-    if (options_parse(PROGRAM, table, TABLE_ROWS, argc, argv, &s, &operands)) {
+    const option_parser parser = {PROGRAM, table, make_table(table), store_setting};
+    fuzz_require(s.o != NULL);
+    if (options_parse(&parser, argc, argv, &s, &operands))
         fuzz_require(operands >= 0 && operands < argc);
-        /* whatever the words, the library finds the options sound or says why not */
-        fuzz_require(s.o.dpi >= 10 && s.o.dpi <= 4800 && s.o.scale >= 0 && s.o.width >= 0 && s.o.height >= 0);
-    }
+    /* whatever the words, each setting holds a value that it would take again */
+    const plb_setting *row;
+    char value[4096];
+    for (size_t i = 0; (row = plb_setting_at(i)); i++)
+        if (row->kind != PLB_SETTING_PENCIL && plb_options_get(s.o, row->name, value, sizeof value))
+            fuzz_require(plb_options_set(s.o, row->name, value, NULL));
+    plb_options_free(s.o);
     free(text);
     return 0;
 }

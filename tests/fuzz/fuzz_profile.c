@@ -23,19 +23,19 @@ static void put(uint8_t *at, uint32_t value)
 static void draw_lines(profile *p)
 {
     cairo_surface_t *page = cairo_image_surface_create(CAIRO_FORMAT_A8, 48, 24);
-    struct plb_profile holder = {p, plb_api_rack_new()};
-    fuzz_require(holder.pencil_cache != NULL);
-    plb_options o = plb_options_default();
-    o.profile = &holder;
-    o.dpi = 150;
-    for (o.model = PLB_MODEL_HLA;; o.model = PLB_MODEL_GRAPHITE) {
+    struct plb_profile holder = {p, plb_api_rack_new(), 1};
+    plb_options *o = plb_options_new();
+    fuzz_require(holder.pencil_cache != NULL && o);
+    plb_options_set_profile(o, &holder);
+    o->dpi = 150;
+    for (int hla = 0; hla < 2; hla++) {
         plb_error failed = {PLB_OK, ""};
-        bool good = plb_draw_line(page, 4, 10, 40, 14, 1, &o, &failed);
+        fuzz_require(plb_options_set(o, "model", hla ? "hla" : "graphite", NULL));
+        bool good = plb_draw_line(page, 4, 10, 40, 14, 1, o, &failed);
         fuzz_require(good || failed.status != PLB_OK);
-        if (o.model == PLB_MODEL_GRAPHITE)
-            break;
     }
     cairo_surface_destroy(page);
+    plb_options_free(o);
     plb_api_rack_free(holder.pencil_cache);
 }
 

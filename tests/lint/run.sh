@@ -7,7 +7,7 @@ here=tests/lint
 mapfile -t ours < <(printf '%s\n' ${LINT_FILES:-$(find src -name "*.c") examples/*.c})
 mapfile -t of_tests < <(printf '%s\n' ${LINT_FILES:-tests/*/*.c})
 [ -z "${LINT_FILES:-}" ] || of_tests=()
-flags=(-std=c17 -D_POSIX_C_SOURCE=200809L '-DPLB_VERSION="0"' '-DPLB_LIBEXECDIR="/"' -Isrc -Isrc/api -Itests -Itests/fuzz)
+flags=(-std=c17 -D_POSIX_C_SOURCE=200809L '-DPLB_LIBEXECDIR="/"' -Isrc -Isrc/api -Itests -Itests/fuzz)
 read -ra libraries < <(pkg-config --cflags librsvg-2.0 cairo cairo-script libxml-2.0 libpng zlib)
 # Tests may do what the library may not: a check that fails goes on, so the analyzer follows paths on which nothing holds any
 # more; bytes of doubles are compared because the same bits are meant; tools end with what they hold; the fuzzer of the

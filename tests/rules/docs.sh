@@ -30,7 +30,7 @@ done
 for target in demo check; do
     if grep -q "make $target" README.md; then ok "README names make $target"; else fail "README names make $target" "it does not"; fi
 done
-version=$(sed -n 's/^VERSION = //p' Makefile)
+version=$(awk '/define PLB_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $3; dot = "." } END { print v }' src/api/plumbago.h)
 if grep -qF "$version" NEWS.md; then ok "NEWS names version $version"; else fail "NEWS names version $version" "it does not"; fi
 # Every file and folder that the README links to is there.
 dead=$(for f in README.md NEWS.md tests/README.md; do

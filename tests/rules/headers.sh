@@ -8,7 +8,7 @@ libs=$(pkg-config --cflags cairo libpng)
 alone() { # COMPILER LANGUAGE STANDARD HEADER
     # shellcheck disable=SC2086
     printf '#include "%s"\n#include "%s"\n' "$4" "$4" |
-        $1 -x "$2" -std="$3" $warn -Wno-unused-function -D_POSIX_C_SOURCE=200809L -DPLB_VERSION='"0"' -DPLB_LIBEXECDIR='""' -I. $libs -fsyntax-only -
+        $1 -x "$2" -std="$3" $warn -Wno-unused-function -D_POSIX_C_SOURCE=200809L -DPLB_LIBEXECDIR='""' -I. $libs -fsyntax-only -
 }
 for compiler in gcc ${LONG:+clang}; do
     command -v $compiler >/dev/null || { skip "headers stand alone, $compiler" "no $compiler here"; continue; }

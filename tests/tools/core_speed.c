@@ -117,10 +117,8 @@ static double time_of_writing(double pixels)
 
 static bool prepare(bench *b, double dpi, size_t n, const char *grade)
 {
-    plb_options o = plb_options_default();
-    o.dpi = dpi;
-    o.profile = plb_profile_load(grade, NULL);
-    bool ok = o.profile && plb_api_context_init(&b->tools, &o, NULL);
+    plb_options *o = plb_options_new(); /* until the program ends: its pencil draws */
+    bool ok = o && plb_options_set(o, "pencil", grade, NULL) && plb_options_set_number(o, "dpi", dpi, NULL) && plb_api_context_init(&b->tools, o, NULL);
     int side = (int)(SIDE_MM / MM_PER_INCH * dpi);
     ok = ok && plb_page_init(&b->page, side, side, side, false, &b->tools.ink, NULL);
     for (uint64_t k = 0; ok && k < n; k++) {
@@ -152,6 +150,5 @@ int main(int argc, char **argv)
     plb_stroke_list_free(&b.list);
     plb_stroke_scratch_free(&b.scratch);
     plb_page_free(&b.page);
-    plb_api_context_free(&b.tools);
     return 0;
 }

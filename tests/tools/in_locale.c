@@ -19,16 +19,16 @@ int main(int argc, char **argv)
         return 2;
     }
     plb_error error;
-    plb_options options = plb_options_default();
-    options.helper_dir = argv[1];
-    options.threads = atoi(argv[3]);
-    plb_drawing *drawing = plb_drawing_load(argv[2], &options, &error);
-    bool good = drawing && plb_drawing_write_png(drawing, argv[4], &options, &error) &&
-                plb_drawing_write_pdf(drawing, argv[5], &options, &error) &&
-                plb_drawing_dump(drawing, PLB_DUMP_STROKES, argv[6], &options, &error);
+    plb_options *options = plb_options_new();
+    bool set = options && plb_options_set(options, "helper-dir", argv[1], &error) && plb_options_set(options, "threads", argv[3], &error);
+    plb_drawing *drawing = set ? plb_drawing_load(argv[2], options, &error) : NULL;
+    bool good = drawing && plb_drawing_write_png(drawing, argv[4], options, &error) &&
+                plb_drawing_write_pdf(drawing, argv[5], options, &error) &&
+                plb_drawing_dump(drawing, PLB_DUMP_STROKES, argv[6], options, &error);
     if (!good)
         fprintf(stderr, "in_locale: %s\n", error.text);
     plb_drawing_free(drawing);
+    plb_options_free(options);
     printf("%s\n", localeconv()->decimal_point);
     return !good;
 }

@@ -126,7 +126,6 @@ static bool time_drawing(const plb_drawing *d, const plb_options *o, double out[
     out[LAY] = all - w.seconds - texture + map - out[PATH];
     out[COMPRESS] = w.seconds;
     plb_picture_free(w.to);
-    plb_api_context_free(&t);
     fclose(null);
     return ok;
 }
@@ -139,23 +138,21 @@ static int ascending(const void *a, const void *b)
 
 int main(int argc, char **argv)
 {
-    plb_options o = plb_options_default();
+    plb_options *o = plb_options_new();
     double all[STAGES][ROUNDS];
-    if (argc != 4 || !((o.dpi = atof(argv[2])) >= 10)) {
+    if (argc != 4 || !o || !plb_options_set(o, "dpi", argv[2], NULL) || !plb_options_set(o, "helper-dir", argv[3], NULL) || !plb_options_set(o, "threads", "1", NULL)) {
         fprintf(stderr, "usage: stage_speed FILE DPI HELPER_DIR\n");
         return 2;
     }
-    o.helper_dir = argv[3];
-    o.threads = 1;
     for (int r = 0; r < ROUNDS; r++) {
         double out[STAGES], children = used(RUSAGE_CHILDREN), start = now();
         plb_error e = {PLB_OK, ""};
-        plb_drawing *d = plb_drawing_load(argv[1], &o, &e);
+        plb_drawing *d = plb_drawing_load(argv[1], o, &e);
         double loading = now() - start;
         out[TAP] = used(RUSAGE_CHILDREN) - children;
-        out[READ] = time_reading(argv[1], &o);
+        out[READ] = time_reading(argv[1], o);
         out[PLAN] = loading - out[READ];
-        if (!d || !time_drawing(d, &o, out)) {
+        if (!d || !time_drawing(d, o, out)) {
             fprintf(stderr, "stage_speed: %s\n", e.text);
             return 1;
         }

@@ -9,10 +9,10 @@
 #include <math.h>
 
 /* A coarse page, for speed. */
-static plb_options options_at(double dpi)
+static plb_options *options_at(double dpi)
 {
-    plb_options o = plb_options_default();
-    o.dpi = dpi;
+    plb_options *o = plb_options_new();
+    CHECK(o && plb_options_set_number(o, "dpi", dpi, NULL));
     return o;
 }
 
@@ -39,8 +39,10 @@ static cairo_surface_t *white_surface(void)
 
 static bool line_on(cairo_surface_t *s, plb_error *e)
 {
-    plb_options o = options_at(100);
-    return plb_draw_line(s, 5, 5, 55, 50, 1, &o, e);
+    plb_options *o = options_at(100);
+    bool drawn = plb_draw_line(s, 5, 5, 55, 50, 1, o, e);
+    plb_options_free(o);
+    return drawn;
 }
 
 static void surfaces_that_cannot_be_drawn_on(void)
@@ -68,15 +70,14 @@ static void surfaces_that_cannot_be_drawn_on(void)
 static void lines_with_impossible_ends(void)
 {
     static const double ends[] = {NAN, INFINITY, 1e308, -1e7};
-    plb_options o = options_at(100);
+    plb_options *o = options_at(100);
     cairo_surface_t *s = white_surface();
     plb_error e;
     for (int i = 0; i < 4; i++)
-        CHECK(!plb_draw_line(s, ends[i], 0, 20, 20, 1, &o, &e) && e.status == PLB_ERROR_ARGUMENT && strstr(e.text, "million"));
-    CHECK(plb_draw_line(s, 5, 5, 5, 5, 1, &o, &e) && darkest_of(s) == 255);
-    o.dpi = NAN;
-    CHECK(!plb_draw_line(s, 5, 5, 50, 5, 1, &o, &e) && e.status == PLB_ERROR_ARGUMENT);
+        CHECK(!plb_draw_line(s, ends[i], 0, 20, 20, 1, o, &e) && e.status == PLB_ERROR_ARGUMENT && strstr(e.text, "million"));
+    CHECK(plb_draw_line(s, 5, 5, 5, 5, 1, o, &e) && darkest_of(s) == 255);
     cairo_surface_destroy(s);
+    plb_options_free(o);
 }
 
 static void success_clears_an_old_error(void)

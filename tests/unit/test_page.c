@@ -193,7 +193,7 @@ static void order_does_not_matter(void)
 /* One line drawn onto a cairo surface: it darkens, never lightens, keeps to its place, and another number is another line. */
 static void a_line_on_a_cairo_surface(void)
 {
-    plb_options o = plb_options_default();
+    plb_options *o = plb_options_new();
     plb_error e = {PLB_OK, ""};
     uint32_t sums[3] = {0};
     unsigned char first[400 * 60 * 4];
@@ -205,7 +205,7 @@ static void a_line_on_a_cairo_surface(void)
         cairo_paint(cr);
         cairo_destroy(cr);
         cairo_surface_flush(s);
-        CHECK(plb_draw_line(s, 20, 30, 380, 30, (uint64_t)k, &o, &e));
+        CHECK(plb_draw_line(s, 20, 30, 380, 30, (uint64_t)k, o, &e));
         cairo_surface_flush(s);
         const unsigned char *data = cairo_image_surface_get_data(s);
         for (int y = 0; y < 60; y++)
@@ -222,20 +222,19 @@ static void a_line_on_a_cairo_surface(void)
         cairo_surface_destroy(s);
     }
     CHECK(sums[0] > 1000 && sums[1] > 1000 && sums[2] == 0);
+    plb_options_free(o);
 }
 
 static void wrong_calls_are_refused(void)
 {
-    plb_options o = plb_options_default();
+    plb_options *o = plb_options_new();
     plb_error e = {PLB_OK, ""};
     cairo_surface_t *s = cairo_image_surface_create(CAIRO_FORMAT_A8, 10, 10);
-    CHECK(!plb_draw_line(s, 0, 0, (double)NAN, 5, 0, &o, &e) && e.status == PLB_ERROR_ARGUMENT);
-    o.dpi = 0;
-    CHECK(!plb_draw_line(s, 0, 0, 5, 5, 0, &o, &e) && e.status == PLB_ERROR_ARGUMENT);
+    CHECK(!plb_draw_line(s, 0, 0, (double)NAN, 5, 0, o, &e) && e.status == PLB_ERROR_ARGUMENT);
     cairo_surface_destroy(s);
-    o = plb_options_default();
-    CHECK(!plb_drawing_load("there/is/no/such.svg", &o, &e) && e.status == PLB_ERROR_FILE && strstr(e.text, "such.svg"));
+    CHECK(!plb_drawing_load("there/is/no/such.svg", o, &e) && e.status == PLB_ERROR_FILE && strstr(e.text, "such.svg"));
     CHECK(!plb_profile_load("5H", &e) && e.status != PLB_OK);
+    plb_options_free(o);
 }
 
 int main(void)

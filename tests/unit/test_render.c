@@ -75,12 +75,11 @@ static uint8_t *render(const plb_drawing *d, const plb_options *o, int rows, int
     CHECK(plb_api_context_init(&t, o, &err) && plb_page_plan(d, o, &plan, &err));
     plan.rows = rows ? rows : plan.height;
     plan.members = members;
-    page_background background = o->background == PLB_BACKGROUND_NONE ? PAGE_TRANSPARENT : PAGE_WHITE;
+    page_background background = (page_background)o->background;
     whole_page to = {NULL, 0, background, plb_page_channels(background, o->colour)};
     *size = (size_t)plan.width * (size_t)plan.height * (size_t)to.channels;
     to.v = malloc(*size);
     CHECK(plb_render(d, o, &t, &plan, take, &to, &err) && to.next == plan.height);
-    plb_api_context_free(&t);
     return to.v;
 }
 
@@ -91,24 +90,25 @@ static void bands_and_threads_change_no_pixel(void)
     plb_drawing *d = drawing_for_tests();
     for (int m = 0; m < 2; m++)
         for (int k = 0; k < 4; k++) {
-            plb_options o = plb_options_default();
-            o.model = m ? PLB_MODEL_HLA : PLB_MODEL_GRAPHITE;
-            o.dpi = dpi[k];
-            o.colour = k == 1;
-            o.background = k % 2 ? PLB_BACKGROUND_NONE : PLB_BACKGROUND_WHITE;
+            plb_options *o = plb_options_new();
+            CHECK(plb_options_set(o, "model", m ? "hla" : "graphite", NULL));
+            o->dpi = dpi[k];
+            o->colour = k == 1;
+            o->background = k % 2 ? PAGE_TRANSPARENT : PAGE_WHITE;
             size_t size, same;
-            uint8_t *whole = render(d, &o, 0, 1, &size), darkest = 255;
+            uint8_t *whole = render(d, o, 0, 1, &size), darkest = 255;
             for (size_t i = 0; i < size; i++)
                 darkest = whole[i] < darkest ? whole[i] : darkest;
             CHECK(darkest < 200);
             for (int i = 0; i < 4; i++) {
                 if (rows[i] == 1 && k > 0)
                     continue; /* takes long, and says no more */
-                uint8_t *cut = render(d, &o, rows[i], members[i], &same);
+                uint8_t *cut = render(d, o, rows[i], members[i], &same);
                 CHECK(same == size && !memcmp(whole, cut, size));
                 free(cut);
             }
             free(whole);
+            plb_options_free(o);
         }
     free_drawing(d);
 }
@@ -123,14 +123,14 @@ static bool add(void *closure, const page *band, error *err)
 static void colours_are_laid(void)
 {
     plb_drawing *d = drawing_for_tests();
-    plb_options o = plb_options_default();
+    plb_options *o = plb_options_new();
     size_t size, size3, size4;
-    o.dpi = 150;
-    uint8_t *grey = render(d, &o, 0, 2, &size);
-    o.colour = true;
-    uint8_t *rgb = render(d, &o, 0, 2, &size3);
-    o.background = PLB_BACKGROUND_NONE;
-    uint8_t *rgba = render(d, &o, 0, 2, &size4);
+    o->dpi = 150;
+    uint8_t *grey = render(d, o, 0, 2, &size);
+    o->colour = true;
+    uint8_t *rgb = render(d, o, 0, 2, &size3);
+    o->background = PAGE_TRANSPARENT;
+    uint8_t *rgba = render(d, o, 0, 2, &size4);
     CHECK(size3 == 3 * size && size4 == 4 * size);
     long red = 0, blue = 0, plain = 0;
     int off = 0;
@@ -149,29 +149,30 @@ static void colours_are_laid(void)
     free(grey);
     free(rgb);
     free(rgba);
+    plb_options_free(o);
     free_drawing(d);
 }
 
 /* The file that a page cut into bands of `pieces` pieces gives. */
 static size_t write(const plb_drawing *d, picture_format format, int pieces, int members, char **bytes)
 {
-    plb_options o = plb_options_default();
-    o.dpi = 900; /* some pieces */
+    plb_options *o = plb_options_new();
+    o->dpi = 900; /* some pieces */
     size_t size = 0;
     render_context t;
     page_plan plan;
     error err = {ERROR_NONE, ""};
-    picture_options how = {.format = format, .dpi = o.dpi, .level = 1, .members = members, .width_mm = WIDTH_MM, .height_mm = HEIGHT_MM};
+    picture_options how = {.format = format, .dpi = o->dpi, .level = 1, .members = members, .width_mm = WIDTH_MM, .height_mm = HEIGHT_MM};
     FILE *to = open_memstream(bytes, &size);
-    CHECK(plb_api_context_init(&t, &o, &err) && plb_page_plan(d, &o, &plan, &err));
+    CHECK(plb_api_context_init(&t, o, &err) && plb_page_plan(d, o, &plan, &err));
     int rows = plb_picture_rows(plan.width, &how);
     CHECK(rows * 2 < plan.height);
     plan.rows = pieces ? pieces * rows : plan.height;
     plan.members = members;
     picture *p = plb_picture_new(plan.width, plan.height, &how, to, "picture", &err);
-    CHECK(p && plb_render(d, &o, &t, &plan, add, p, &err) && plb_picture_end(p, &err));
+    CHECK(p && plb_render(d, o, &t, &plan, add, p, &err) && plb_picture_end(p, &err));
     plb_picture_free(p);
-    plb_api_context_free(&t);
+    plb_options_free(o);
     fclose(to);
     return size;
 }
@@ -196,49 +197,46 @@ static void an_error_reaches_the_caller(void)
 {
     plb_drawing *d = drawing_for_tests();
     d->strokes.points.v[d->strokes.strokes.v[20].first].x = 1e9;
-    plb_options o = plb_options_default();
-    o.dpi = 60;
+    plb_options *o = plb_options_new();
+    o->dpi = 60;
     render_context t;
     page_plan plan;
     for (int rows = 0; rows < 2; rows++) {
         error err = {ERROR_NONE, ""};
-        CHECK(plb_api_context_init(&t, &o, &err) && plb_page_plan(d, &o, &plan, &err));
+        CHECK(plb_api_context_init(&t, o, &err) && plb_page_plan(d, o, &plan, &err));
         plan.members = 4;
         plan.rows = rows ? 20 : plan.height;
         whole_page to = {malloc((size_t)plan.width * (size_t)plan.height), 0, PAGE_WHITE, 1};
-        CHECK(!plb_render(d, &o, &t, &plan, take, &to, &err) && err.kind == ERROR_LIMIT && strstr(err.text, "longer"));
+        CHECK(!plb_render(d, o, &t, &plan, take, &to, &err) && err.kind == ERROR_LIMIT && strstr(err.text, "longer"));
         free(to.v);
-        plb_api_context_free(&t);
     }
+    plb_options_free(o);
     free_drawing(d);
 }
 
-static const pencil *pencil_for(plb_options o)
+static const pencil *pencil_for(const plb_options *o)
 {
     render_context t;
-    CHECK(plb_api_context_init(&t, &o, NULL));
-    const pencil *p = t.pencil;
-    plb_api_context_free(&t);
-    return p;
+    CHECK(plb_api_context_init(&t, o, NULL));
+    return t.pencil;
 }
 
 /* A profile's pencils are made once for each model and paper, whoever asks. */
 static void pencils_are_made_once(void)
 {
-    plb_options o = plb_options_default(), rough = o, papers_model = o, other = o;
-    plb_profile *p = plb_profile_load("2H", NULL), *q = plb_profile_load("2H", NULL);
-    CHECK(p && q);
-    o.profile = rough.profile = papers_model.profile = p;
-    other.profile = q;
-    rough.paper = PLB_PAPER_ROUGH;
-    papers_model.model = PLB_MODEL_HLA;
+    plb_options *o = plb_options_new(), *other = plb_options_new();
+    CHECK(plb_options_set(o, "pencil", "2H", NULL) && plb_options_set(other, "pencil", "2H", NULL));
+    plb_options *rough = plb_options_copy(o), *papers_model = plb_options_copy(o);
+    CHECK(plb_options_set(rough, "paper", "rough", NULL) && plb_options_set(papers_model, "model", "hla", NULL));
     const pencil *made = pencil_for(o);
     CHECK(pencil_for(o) == made && pencil_for(rough) != made && pencil_for(other) != made);
     CHECK(pencil_for(papers_model) != made && pencil_for(papers_model) == pencil_for(papers_model));
-    rough.model = PLB_MODEL_HLA; /* which knows no paper */
+    CHECK(plb_options_set(rough, "model", "hla", NULL)); /* which knows no paper */
     CHECK(pencil_for(papers_model) == pencil_for(rough));
-    plb_profile_free(p);
-    plb_profile_free(q);
+    plb_options_free(o);
+    plb_options_free(other);
+    plb_options_free(rough);
+    plb_options_free(papers_model);
 }
 
 int main(void)

@@ -56,34 +56,50 @@ void plb_file_free(plb_file *f)
 static input_source source_of(const plb_file *f, const plb_options *o, const api_adaptor *adaptor, double *spent)
 {
     return (input_source){.name = f->name, .data = f->data, .size = f->size, .helper_dir = o->helper_dir,
-                          .say = plb_api_messenger(adaptor), .page = o->page,
+                          .say = plb_api_messenger(adaptor), .page = (unsigned)o->page,
                           .limits = {.seconds = o->limit_time, .spent = spent, .memory = (size_t)o->limit_memory << 20}};
 }
 
-unsigned plb_file_pages(const plb_file *f, const plb_options *o, plb_error *failed)
+/* The caller's options or, in `own`, new ones; NULL and `err` when they do not go together. */
+static const plb_options *checked(const plb_options *given, plb_options **own, error *err)
+{
+    *own = given ? NULL : plb_options_new();
+    const plb_options *o = given ? given : *own;
+    if (!o)
+        plb_fail_memory(err);
+    return o && plb_api_check(o, err) ? o : NULL;
+}
+
+unsigned plb_file_pages(const plb_file *f, const plb_options *given, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
     unsigned pages = 0;
     double spent = 0;
-    if (plb_api_check(o, &err)) {
-        api_adaptor adaptor = {o->message, o->closure};
+    plb_options *own;
+    const plb_options *o = checked(given, &own, &err);
+    if (o) {
+        api_adaptor adaptor = {o->message, o->message_closure};
         input_source in = source_of(f, o, &adaptor, &spent);
         pages = plb_input_count_pages(&in, &pages, &err) ? pages : 0;
     }
+    plb_options_free(own);
     plb_api_finish(&err, failed);
     return pages;
 }
 
-plb_drawing *plb_file_draw(const plb_file *f, const plb_options *o, plb_error *failed)
+plb_drawing *plb_file_draw(const plb_file *f, const plb_options *given, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
     double spent = 0;
     plb_drawing *d = NULL;
-    if (plb_api_check(o, &err)) {
-        api_adaptor adaptor = {o->message, o->closure};
+    plb_options *own;
+    const plb_options *o = checked(given, &own, &err);
+    if (o) {
+        api_adaptor adaptor = {o->message, o->message_closure};
         input_source in = source_of(f, o, &adaptor, &spent);
         d = plb_api_draw(&in, o, &err);
     }
+    plb_options_free(own);
     plb_api_finish(&err, failed);
     return d;
 }
@@ -91,7 +107,7 @@ plb_drawing *plb_file_draw(const plb_file *f, const plb_options *o, plb_error *f
 plb_drawing *plb_drawing_load(const char *file, const plb_options *o, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
-    plb_file *f = plb_api_check(o, &err) ? load_file(file, &err) : NULL;
+    plb_file *f = !o || plb_api_check(o, &err) ? load_file(file, &err) : NULL;
     plb_api_finish(&err, failed);
     plb_drawing *d = f ? plb_file_draw(f, o, failed) : NULL;
     plb_file_free(f);

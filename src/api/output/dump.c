@@ -45,7 +45,6 @@ static bool write_controls(const plb_drawing *d, const plb_options *o, FILE *to,
     controls_picture *c = plb_controls_new(d->list.width, d->list.height, o->dpi, err);
     bool ok = c && fill_picture(c, &d->strokes, &t.stroke, err) && plb_controls_write(c, to, plb_output_shown(file), err);
     plb_controls_free(c);
-    plb_api_context_free(&t);
     return ok;
 }
 
@@ -62,7 +61,8 @@ bool plb_drawing_dump(const plb_drawing *d, plb_dump what, const char *file, con
         plb_fail(&err, ERROR_ARGUMENT, "there is no such dump");
         return plb_api_finish(&err, failed);
     }
-    bool ok = plb_output_open(&out, file, &err);
+    o = plb_api_options_for(d, o, &err);
+    bool ok = o && plb_output_open(&out, file, &err);
     if (ok) {
         switch (what) {
         case PLB_DUMP_LIST: ok = write_text(plb_list_print(&d->list, out.to), file, &err); break;

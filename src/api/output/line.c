@@ -76,7 +76,6 @@ bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, do
     if (check_surface(surface, &err) && check_ends(px, &err) && plb_api_context_init(&t, o, &err)) {
         double mm = MM_PER_INCH / o->dpi;
         draw(surface, (point[]){{x0 * mm, y0 * mm}, {x1 * mm, y1 * mm}}, number, &t, &err);
-        plb_api_context_free(&t);
     }
     return plb_api_finish(&err, failed);
 }

@@ -7,26 +7,28 @@
 #include "system/output.h"
 #include "surface/picture/picture.h"
 
-#include <string.h>
-
 /* What a picture says of itself. */
 typedef struct {
-    char seed[32], software[64];
+    char software[64], value[3][64];
     const char *text[11];
 } labels;
 
+/* The settings that make a stroke what it is; an arm that the model chose is told too. */
 static void label(labels *l, const plb_options *o, const render_context *t)
 {
-    snprintf(l->seed, sizeof l->seed, "%llu", (unsigned long long)o->seed);
+    static const char *const names[][2] = {{"seed", "Plumbago-Seed"}, {"pencil", "Plumbago-Pencil"}, {"model", "Plumbago-Model"}};
     snprintf(l->software, sizeof l->software, "Plumbago %s", plb_version());
-    const char *text[] = {"Software", l->software, "Plumbago-Seed", l->seed, "Plumbago-Pencil", plb_profile_name(t->profile),
-                          "Plumbago-Model", plb_model_of(&t->stroke)->name, "Plumbago-Arm", plb_arm_of(&t->stroke)->name, NULL};
-    memcpy(l->text, text, sizeof text);
-}
-
-static page_background background_of(const plb_options *o)
-{
-    return o->background == PLB_BACKGROUND_NONE ? PAGE_TRANSPARENT : PAGE_WHITE;
+    const char **to = l->text;
+    *to++ = "Software";
+    *to++ = l->software;
+    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+        plb_options_get(o, names[i][0], l->value[i], sizeof l->value[i]);
+        *to++ = names[i][1];
+        *to++ = l->value[i];
+    }
+    *to++ = "Plumbago-Arm";
+    *to++ = plb_arm_of(&t->stroke)->name;
+    *to = NULL;
 }
 
 static bool add_band(void *closure, const page *band, error *err)
@@ -52,17 +54,19 @@ static bool draw_into(FILE *to, const plb_drawing *d, const plb_options *o, pict
         ok = p && plb_render(d, o, &t, &plan, add_band, p, err) && plb_picture_end(p, err);
         plb_picture_free(p);
     }
-    plb_api_context_free(&t);
     return ok;
 }
 
-static bool write_picture(const plb_drawing *d, const char *file, picture_format format, const plb_options *o, error *err)
+static bool write_picture(const plb_drawing *d, const char *file, picture_format format, const plb_options *given, error *err)
 {
-    picture_options how = {.format = format, .background = background_of(o), .colour = o->colour, .dpi = o->dpi, .level = o->compress};
+    const plb_options *o = plb_api_options_for(d, given, err);
+    if (!o)
+        return false;
+    picture_options how = {.format = format, .background = (page_background)o->background, .colour = o->colour, .dpi = o->dpi, .level = o->compress};
     how.width_mm = d->list.width;
     how.height_mm = d->list.height;
     output out;
-    if (!plb_api_check(o, err) || !plb_output_open(&out, file, err))
+    if (!plb_output_open(&out, file, err))
         return false;
     if (draw_into(out.to, d, o, how, plb_output_shown(file), err))
         return plb_output_commit(&out, err);
@@ -103,7 +107,7 @@ static cairo_surface_t *draw_surface(const plb_drawing *d, const plb_options *o,
     if (!plb_page_plan(d, o, &plan, err))
         return NULL;
     plb_page_plan_rows(&plan, 1);
-    surface_target to = {plb_page_surface_new(plan.width, plan.height, err), background_of(o)};
+    surface_target to = {plb_page_surface_new(plan.width, plan.height, err), (page_background)o->background};
     if (to.surface && plb_render(d, o, t, &plan, copy_band, &to, err))
         return to.surface;
     cairo_surface_destroy(to.surface);
@@ -115,10 +119,9 @@ cairo_surface_t *plb_drawing_render(const plb_drawing *d, const plb_options *o, 
     error err = {ERROR_NONE, ""};
     render_context t;
     cairo_surface_t *result = NULL;
-    if (plb_api_context_init(&t, o, &err)) {
+    o = plb_api_options_for(d, o, &err);
+    if (o && plb_api_context_init(&t, o, &err))
         result = draw_surface(d, o, &t, &err);
-        plb_api_context_free(&t);
-    }
     plb_api_finish(&err, failed);
     return result;
 }

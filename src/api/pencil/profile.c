@@ -24,7 +24,7 @@ static plb_profile *wrap(profile *p, error *failed, plb_error *to)
     plb_profile *out = p ? plb_new(1, sizeof *out) : NULL;
     pencil_rack *pencil_cache = out ? plb_api_rack_new() : NULL;
     if (pencil_cache) {
-        *out = (plb_profile){p, pencil_cache};
+        *out = (plb_profile){p, pencil_cache, 1};
         plb_api_finish(failed, to);
         return out;
     }
@@ -44,11 +44,18 @@ plb_profile *plb_profile_load(const char *pencil, plb_error *to)
 
 void plb_profile_free(plb_profile *pencil)
 {
-    if (!pencil)
+    if (!pencil || atomic_fetch_sub(&pencil->references, 1) > 1)
         return;
     plb_api_rack_free(pencil->pencil_cache);
     plb_profile_release(pencil->p);
     plb_free(pencil);
+}
+
+plb_profile *plb_api_profile_share(const plb_profile *pencil)
+{
+    plb_profile *shared = (plb_profile *)(uintptr_t)pencil; /* the count is all that ever changes in a profile */
+    atomic_fetch_add(&shared->references, 1);
+    return shared;
 }
 
 const char *plb_profile_name(const plb_profile *pencil)

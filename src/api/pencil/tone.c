@@ -134,6 +134,5 @@ bool plb_api_measure_tone(const plb_options *o, plan_options *how, error *err)
     }
     if (ok)
         how->tone = found;
-    plb_api_context_free(&t);
     return ok;
 }

@@ -5,10 +5,16 @@
 #include "api/pipeline.h"
 
 #include "api/pencil/pencils.h"
+#include "system/thread_team.h"
 
 #include <string.h>
 
-#define DEFAULT_PENCIL "HB"
+const plb_options *plb_api_options_for(const plb_drawing *d, const plb_options *given, error *err)
+{
+    if (!given)
+        return d->options;
+    return plb_api_check(given, err) && plb_api_check_same(given, d->options, d->name, err) ? given : NULL;
+}
 
 bool plb_api_context_init(render_context *t, const plb_options *o, error *err)
 {
@@ -16,31 +22,29 @@ bool plb_api_context_init(render_context *t, const plb_options *o, error *err)
     if (!plb_api_check(o, err))
         return false;
     t->profile = o->profile;
-    if (!t->profile) {
-        plb_error failed = {PLB_OK, ""};
-        t->profile = t->own = plb_profile_load(DEFAULT_PENCIL, &failed);
-        if (!t->own)
-            return plb_fail(err, (error_kind)failed.status, "%s", failed.text);
-    }
-    static const paper_kind papers[] = {PAPER_MEDIUM, PAPER_SMOOTH, PAPER_ROUGH, PAPER_NONE};
-    const line_model *model = plb_model_at(o->model);
-    t->pencil = plb_api_pencil(t->profile, model, papers[o->paper], err);
-    if (!t->pencil) {
-        plb_api_context_free(t);
+    const line_model *model = plb_model_at((size_t)o->model);
+    t->pencil = plb_api_pencil(t->profile, model, (paper_kind)o->paper, err);
+    if (!t->pencil)
         return false;
-    }
     plb_graphite_init(&t->ink, t->profile->p);
     t->stroke = (stroke_options){.pencil = t->pencil, .seed = o->seed, .squiggle = o->squiggle, .hand = t->profile->p->hand, .dpi = o->dpi, .pressure = o->pressure};
-    static const handedness handed[] = {HANDED_RIGHT, HANDED_LEFT, HANDED_NONE};
-    t->stroke.handed = handed[o->handed];
+    t->stroke.handed = (handedness)o->handed;
     t->stroke.model = model;
-    t->stroke.arm = o->arm == PLB_ARM_DEFAULT ? NULL : plb_arm_at(o->arm - 1u); /* plb_arm numbers the table's rows from 1 */
+    t->stroke.arm = o->arm == ARM_AUTO ? NULL : plb_arm_at((size_t)o->arm);
     return true;
 }
 
-void plb_api_context_free(render_context *t)
+plan_options plb_api_plan_options(const plb_options *o)
 {
-    plb_profile_free(t->own); /* and its pencils */
-    t->pencil = NULL;
-    t->own = NULL;
+    plan_options plan = plb_plan_options_default();
+    plan.text = (text_style)o->text;
+    plan.fill = (fill_style)o->fill;
+    plan.pencil_width = plb_profile_width(o->profile);
+    plan.overshoot = o->overshoot;
+    plan.restate = o->restate;
+    plan.construction = o->construction;
+    plan.seed = o->seed;
+    plan.threads = o->threads > 0 ? o->threads : plb_thread_team_processors();
+    plan.colour = o->colour;
+    return plan;
 }

@@ -82,7 +82,7 @@ static bool draw_stroke(render_job *c, int member, const stroke *s)
 static void report(const plb_options *o, double done)
 {
     if (o->progress)
-        o->progress(o->closure, done);
+        o->progress(o->progress_closure, done);
 }
 
 static bool draw_batch(void *closure, int member, size_t batch)

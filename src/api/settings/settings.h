@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The settings of a drawing: one table (settings_table.c) says of each its name, kind, range, default, help and the calls in
+ * which it counts. The command line, --help, the manual's test, the shells' completions, the checks of the library and the
+ * text in a PNG all read these rows. Here is what only the library sees: where the values lie.
+ */
+#ifndef PLB_API_SETTINGS_SETTINGS_H
+#define PLB_API_SETTINGS_SETTINGS_H
+
+#include "api/plumbago.h"
+#include "base/error.h"
+
+/* The value of `arm` while the model decides. */
+#define ARM_AUTO (-1)
+
+/* All values, each in a field that a row of the table names. Lengths are mm. */
+struct plb_options {
+    plb_profile *profile; /* a reference of its own; never NULL */
+    uint64_t seed;
+    /* Choices: values of the enumeration that is named. */
+    int paper;            /* paper_kind */
+    int model;            /* a row of the models (models.h) */
+    int arm;              /* a row of the arms (arm.h), or ARM_AUTO */
+    int handed;           /* handedness */
+    int fill;             /* fill_style */
+    int text;             /* text_style */
+    int background;       /* page_background */
+    double pressure;
+    double squiggle;      /* negative: the arm's own */
+    double dpi;
+    double width, height, scale; /* 0: the drawing's own */
+    double overshoot, restate;
+    bool construction, colour;
+    int threads;          /* 0: as many as there are processors */
+    int compress;
+    int page;             /* from 1; 0: the first */
+    double limit_time, limit_memory; /* s, MiB */
+    char *helper_dir;     /* owned; NULL: beside the program, then the installed place */
+    plb_message_function message;
+    void *message_closure;
+    plb_progress_function progress;
+    void *progress_closure;
+};
+
+/* A row of the table. */
+typedef struct {
+    plb_setting shown;
+    size_t offset;     /* of its field in plb_options, whose type goes by the kind */
+    const int *values; /* of a choice: what the words of shown.argument mean, in their order */
+    double automatic;  /* what the field holds for the word "auto", where that is the default */
+} setting;
+
+/* The row of that name; NULL: there is none. */
+const setting *plb_setting_find(const char *name);
+/* The row at `index`; NULL past the last. */
+const setting *plb_setting_row(size_t index);
+
+/* Reads `value` as the row's kind asks and stores the result; false and `err`, which says what the setting takes, when it cannot
+ * be. */
+bool plb_setting_store(const setting *s, plb_options *o, const char *value, error *err);
+/* Writes the value as text that plb_setting_store reads. False when `size` bytes are too few. */
+bool plb_setting_print(const setting *s, const plb_options *o, char *text, size_t size);
+/* Whether both hold the same value. */
+bool plb_setting_is_equal(const setting *s, const plb_options *a, const plb_options *b);
+
+/* Whether the settings go together. */
+bool plb_api_check(const plb_options *o, error *err);
+/* Whether `o`, given to a call that draws, goes with the options that the drawing was loaded with: what counts for loading must not
+ * differ. `name` is the drawing's. */
+bool plb_api_check_same(const plb_options *o, const plb_options *loaded, const char *name, error *err);
+
+#endif

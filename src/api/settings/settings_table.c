@@ -1,0 +1,95 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The table of settings: see settings.h. To add one: a field in plb_options, a row here, its paragraph in plumbago(1).
+ */
+#include "api/settings/settings.h"
+
+#include "plan/plan.h"
+#include "stroke/stroke.h"
+#include "surface/page.h"
+
+#include <string.h>
+
+#define FIELD(f) .offset = offsetof(plb_options, f)
+#define VALUES(...) .values = (const int[]){__VA_ARGS__}
+
+enum { LOAD = PLB_COUNTS_LOADING, DRAW = PLB_COUNTS_DRAWING, FREE = PLB_COUNTS_FREELY };
+
+/* In the order of --help; the groups are its headings. Ranges of lengths are mm. */
+static const setting table[] = {
+    {{"page", 0, "Input", PLB_SETTING_WHOLE, "N", 1, 1e6, "", "auto", "which page of a file with several; auto: the first", LOAD},
+     FIELD(page)},
+    {{"limit-time", 0, "Input", PLB_SETTING_NUMBER, "SECONDS", 1, 1e6, "seconds", "8", "processor time of the programs that read a drawing for us", LOAD | FREE},
+     FIELD(limit_time)},
+    {{"limit-memory", 0, "Input", PLB_SETTING_NUMBER, "MIB", 64, 1e6, "MiB", "1024", "memory of each program that reads for us", LOAD | FREE},
+     FIELD(limit_memory)},
+    {{"helper-dir", 0, "Input", PLB_SETTING_TEXT, "FOLDER", 0, 0, "", "", "where these programs lie [beside this one, or installed]", LOAD | FREE},
+     FIELD(helper_dir)},
+
+    {{"dpi", 'd', "Output", PLB_SETTING_NUMBER, "DPI", 10, 4800, "pixels per inch", "300", "resolution", DRAW},
+     FIELD(dpi)},
+    {{"background", 0, "Output", PLB_SETTING_CHOICE, "white|none", 0, 0, "", "white", "paper, or nothing behind the graphite", DRAW},
+     FIELD(background), VALUES(PAGE_WHITE, PAGE_TRANSPARENT)},
+    {{"compress", 0, "Output", PLB_SETTING_WHOLE, "N", 0, 9, "", "1", "0: large at once, 9: small and slow", DRAW},
+     FIELD(compress)},
+
+    {{"width", 0, "Size on paper", PLB_SETTING_LENGTH, "LEN", 0.01, 1e5, "mm", "auto", "width of the page; auto: the drawing's own", LOAD},
+     FIELD(width)},
+    {{"height", 0, "Size on paper", PLB_SETTING_LENGTH, "LEN", 0.01, 1e5, "mm", "auto", "height of the page; auto: the drawing's own", LOAD},
+     FIELD(height)},
+    {{"scale", 0, "Size on paper", PLB_SETTING_RATIO, "F", 1e-6, 1e4, "times", "auto", "times its own size: 0.5 50% 1/2 1:2; auto: 1, or fits A3 (DXF)", LOAD},
+     FIELD(scale)},
+
+    {{"pencil", 'p', "Pencil", PLB_SETTING_PENCIL, "GRADE|FILE", 0, 0, "", "HB", "2H H F HB B 3B 6B 8B or a .pencil file", LOAD | DRAW},
+     FIELD(profile)},
+    {{"pressure", 0, "Pencil", PLB_SETTING_NUMBER, "F", 0.2, 3, "times the usual", "1", "paler and grainier, or darker", LOAD | DRAW},
+     FIELD(pressure)},
+    {{"paper", 0, "Pencil", PLB_SETTING_CHOICE, "smooth|medium|rough|none", 0, 0, "", "medium", "the tooth of the paper, which all strokes share", LOAD | DRAW},
+     FIELD(paper), VALUES(PAPER_SMOOTH, PAPER_MEDIUM, PAPER_ROUGH, PAPER_NONE)},
+
+    {{"seed", 's', "Hand", PLB_SETTING_SEED, "SEED", 0, 0, "", "1", "a whole number: another hand for the same drawing", LOAD | DRAW},
+     FIELD(seed)},
+    {{"squiggle", 0, "Hand", PLB_SETTING_LENGTH, "LEN", 0, 1000, "mm", "auto", "how far lines stray; 0: ruler-straight; auto: as measured (5/300in)", LOAD | DRAW},
+     FIELD(squiggle), .automatic = -1},
+    {{"model", 0, "Hand", PLB_SETTING_CHOICE, "graphite|hla", 0, 0, "", "graphite", "how lines are made: as measured, or the papers' algorithm", LOAD | DRAW},
+     FIELD(model), VALUES(1, 0)},
+    {{"arm", 0, "Hand", PLB_SETTING_CHOICE, "hand|jerk|spring|lognormal|torque", 0, 0, "", "auto", "how the arm moves; auto: hand, with --model hla jerk", LOAD | DRAW},
+     FIELD(arm), VALUES(0, 1, 2, 3, 4), .automatic = ARM_AUTO},
+    {{"hand", 0, "Hand", PLB_SETTING_CHOICE, "right|left|none", 0, 0, "", "right", "which hand draws; none: all directions alike", LOAD | DRAW},
+     FIELD(handed), VALUES(HANDED_RIGHT, HANDED_LEFT, HANDED_NONE)},
+    {{"overshoot", 0, "Hand", PLB_SETTING_LENGTH, "LEN", 0, 100, "mm", "0mm", "lines run past corners by up to LEN", LOAD},
+     FIELD(overshoot)},
+    {{"restate", 0, "Hand", PLB_SETTING_NUMBER, "F", 0, 1, "", "0", "share of the long lines that are drawn twice", LOAD},
+     FIELD(restate)},
+    {{"construction", 0, "Hand", PLB_SETTING_FLAG, NULL, 0, 0, "", "off", "faint construction lines beyond long lines, axes of circles", LOAD},
+     FIELD(construction)},
+
+    {{"fill", 0, "What is drawn", PLB_SETTING_CHOICE, "hatch|outline|none", 0, 0, "", "hatch", "what becomes of filled shapes", LOAD},
+     FIELD(fill), VALUES(FILL_HATCH, FILL_OUTLINE, FILL_NONE)},
+    {{"text", 0, "What is drawn", PLB_SETTING_CHOICE, "hand|outline|none", 0, 0, "", "hand", "what becomes of lettering", LOAD},
+     FIELD(text), VALUES(TEXT_HAND, TEXT_OUTLINE, TEXT_NONE)},
+    {{"colour", 0, "What is drawn", PLB_SETTING_FLAG, NULL, 0, 0, "", "off", "each line with a pencil of its own colour, not all graphite", LOAD | DRAW},
+     FIELD(colour)},
+
+    {{"threads", 0, "Work", PLB_SETTING_WHOLE, "N", 1, 64, "threads", "auto", "at most so many work; auto: as many as processors", LOAD | DRAW | FREE},
+     FIELD(threads)},
+};
+#define ROWS (sizeof table / sizeof *table)
+
+const setting *plb_setting_row(size_t index)
+{
+    return index < ROWS ? &table[index] : NULL;
+}
+
+const plb_setting *plb_setting_at(size_t index)
+{
+    return index < ROWS ? &table[index].shown : NULL;
+}
+
+const setting *plb_setting_find(const char *name)
+{
+    for (size_t i = 0; i < ROWS; i++)
+        if (!strcmp(table[i].shown.name, name))
+            return &table[i];
+    return NULL;
+}

@@ -1,0 +1,286 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Values of settings as text, read and written by their kinds; the same in every locale.
+ */
+#include "api/settings/settings.h"
+
+#include "api/api_internal.h"
+#include "base/array.h"
+#include "base/number/number.h"
+#include "base/number/units.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#define AUTOMATIC "auto"
+/* A refused value is shown so far. */
+#define SHOWN 80
+
+static void *field_of(const setting *s, plb_options *o)
+{
+    return (char *)o + s->offset;
+}
+
+static const void *value_of(const setting *s, const plb_options *o)
+{
+    return (const char *)o + s->offset;
+}
+
+static bool has_automatic(const setting *s)
+{
+    return !strcmp(s->shown.usual, AUTOMATIC);
+}
+
+/* ---- numbers ---- */
+
+/* The whole text is one decimal number, without an infinity. */
+static bool read_number(const char *text, double *value)
+{
+    const char *next;
+    return plb_parse_number(text, text + strlen(text), value, &next) && !*next && isfinite(*value);
+}
+
+/* "0.5", "50%", "1/2" or "1:2". */
+static bool read_ratio(const char *text, double *value)
+{
+    const char *end = text + strlen(text), *next;
+    double divisor = 1;
+    if (!plb_parse_number(text, end, value, &next))
+        return false;
+    if (!strcmp(next, "%"))
+        divisor = 100;
+    else if (*next && !((*next == ':' || *next == '/') && read_number(next + 1, &divisor) && divisor > 0))
+        return false;
+    *value /= divisor;
+    return isfinite(*value);
+}
+
+static bool read_whole(const char *text, uint64_t *value)
+{
+    uint64_t v = 0;
+    for (const char *p = text; *p; p++) {
+        if (*p < '0' || *p > '9' || v > (UINT64_MAX - (uint64_t)(*p - '0')) / 10)
+            return false;
+        v = v * 10 + (uint64_t)(*p - '0');
+    }
+    *value = v;
+    return *text != '\0';
+}
+
+static bool is_in_range(const plb_setting *s, double value)
+{
+    return value >= s->min && value <= s->max;
+}
+
+static bool store_double(const setting *s, void *field, const char *text)
+{
+    double value;
+    bool ok = s->shown.kind == PLB_SETTING_NUMBER ? read_number(text, &value) : s->shown.kind == PLB_SETTING_RATIO ? read_ratio(text, &value) : plb_parse_length(text, &value);
+    if (ok && is_in_range(&s->shown, value))
+        return *(double *)field = value, true;
+    return false;
+}
+
+static bool store_whole(const setting *s, void *field, const char *text)
+{
+    uint64_t value;
+    if (read_whole(text, &value) && is_in_range(&s->shown, (double)value))
+        return *(int *)field = (int)value, true;
+    return false;
+}
+
+static bool store_seed(const setting *s, void *field, const char *text)
+{
+    (void)s;
+    return read_whole(text, field);
+}
+
+/* ---- words ---- */
+
+/* The length of the next word of "white|none"; the words of a choice end with the text. */
+static size_t word_length(const char *words)
+{
+    return strcspn(words, "|");
+}
+
+static bool store_choice(const setting *s, void *field, const char *text)
+{
+    const char *word = s->shown.argument;
+    for (int i = 0; *word; i++) {
+        size_t n = word_length(word);
+        if (strlen(text) == n && !strncmp(text, word, n))
+            return *(int *)field = s->values[i], true;
+        word += n + (word[n] == '|');
+    }
+    return false;
+}
+
+static bool store_flag(const setting *s, void *field, const char *text)
+{
+    (void)s;
+    bool on = !strcmp(text, "on");
+    if (on || !strcmp(text, "off"))
+        return *(bool *)field = on, true;
+    return false;
+}
+
+/* ---- what is owned ---- */
+
+static bool store_text(const setting *s, plb_options *o, const char *text, error *err)
+{
+    char **field = field_of(s, o), *copy = NULL;
+    if (*text && !(copy = plb_new(strlen(text) + 1, 1)))
+        return plb_fail_memory(err);
+    if (copy)
+        strcpy(copy, text);
+    plb_free(*field);
+    *field = copy;
+    return true;
+}
+
+static bool store_pencil(plb_options *o, const char *text, error *err)
+{
+    plb_error failed = {PLB_OK, ""};
+    plb_profile *loaded = plb_profile_load(text, &failed);
+    if (!loaded)
+        return plb_fail(err, (error_kind)failed.status, "%s", failed.text);
+    plb_profile_free(o->profile);
+    o->profile = loaded;
+    return true;
+}
+
+/* ---- refusals ---- */
+
+/* "right, left or none" */
+static void list_words(const char *words, char *text, size_t size)
+{
+    size_t at = 0;
+    while (*words && at < size) {
+        size_t n = word_length(words);
+        bool last = !words[n];
+        const char *then = last ? "" : strchr(words + n + 1, '|') ? ", " : " or ";
+        int written = snprintf(text + at, size - at, "%.*s%s", (int)n, words, then);
+        at += written > 0 ? (size_t)written : size;
+        words += n + !last;
+    }
+}
+
+static bool refuse(const setting *s, const char *value, error *err)
+{
+    const plb_setting *row = &s->shown;
+    char takes[160], least[48], most[48];
+    const char *also = has_automatic(s) ? ", or auto" : "";
+    plb_format_number(least, row->min, 6);
+    plb_format_number(most, row->max, 6);
+    switch (row->kind) {
+    case PLB_SETTING_CHOICE: list_words(row->argument, takes, sizeof takes); break;
+    case PLB_SETTING_FLAG: snprintf(takes, sizeof takes, "on or off"); break;
+    case PLB_SETTING_SEED: snprintf(takes, sizeof takes, "a whole number"); break;
+    case PLB_SETTING_LENGTH: snprintf(takes, sizeof takes, "%s to %s mm, written as 84mm, 8.4cm, 3.3in, 240pt or 320px", least, most); break;
+    case PLB_SETTING_RATIO: snprintf(takes, sizeof takes, "%s to %s, written as 0.5, 50%%, 1/2 or 1:2", least, most); break;
+    case PLB_SETTING_WHOLE: snprintf(takes, sizeof takes, "a whole number, %s to %s", least, most); break;
+    default: snprintf(takes, sizeof takes, "a number, %s to %s %s", least, most, row->unit); break;
+    }
+    return plb_fail(err, ERROR_ARGUMENT, "%s takes %s%s; not '%.*s'", row->name, takes, also, SHOWN, value);
+}
+
+static void store_automatic(const setting *s, void *field)
+{
+    if (s->shown.kind == PLB_SETTING_WHOLE || s->shown.kind == PLB_SETTING_CHOICE)
+        *(int *)field = (int)s->automatic;
+    else
+        *(double *)field = s->automatic;
+}
+
+bool plb_setting_store(const setting *s, plb_options *o, const char *value, error *err)
+{
+    void *field = field_of(s, o);
+    bool ok = false;
+    if (has_automatic(s) && !strcmp(value, AUTOMATIC)) {
+        store_automatic(s, field);
+        return true;
+    }
+    switch (s->shown.kind) {
+    case PLB_SETTING_NUMBER:
+    case PLB_SETTING_LENGTH:
+    case PLB_SETTING_RATIO: ok = store_double(s, field, value); break;
+    case PLB_SETTING_WHOLE: ok = store_whole(s, field, value); break;
+    case PLB_SETTING_SEED: ok = store_seed(s, field, value); break;
+    case PLB_SETTING_CHOICE: ok = store_choice(s, field, value); break;
+    case PLB_SETTING_FLAG: ok = store_flag(s, field, value); break;
+    case PLB_SETTING_TEXT: return store_text(s, o, value, err);
+    case PLB_SETTING_PENCIL: return store_pencil(o, value, err);
+    }
+    return ok || refuse(s, value, err);
+}
+
+/* ---- back to text ---- */
+
+static bool is_automatic(const setting *s, const void *field)
+{
+    if (!has_automatic(s))
+        return false;
+    bool whole = s->shown.kind == PLB_SETTING_WHOLE || s->shown.kind == PLB_SETTING_CHOICE;
+    return whole ? *(const int *)field == (int)s->automatic : *(const double *)field == s->automatic;
+}
+
+static void print_choice(const setting *s, int value, char *text, size_t size)
+{
+    const char *word = s->shown.argument;
+    for (int i = 0; s->values[i] != value && strchr(word, '|'); i++)
+        word += word_length(word) + 1;
+    snprintf(text, size, "%.*s", (int)word_length(word), word);
+}
+
+bool plb_setting_print(const setting *s, const plb_options *o, char *text, size_t size)
+{
+    const void *field = value_of(s, o);
+    char number[48], made[128] = "";
+    const char *shown = made;
+    if (is_automatic(s, field))
+        shown = AUTOMATIC;
+    else
+        switch (s->shown.kind) {
+        case PLB_SETTING_NUMBER:
+        case PLB_SETTING_RATIO: snprintf(made, sizeof made, "%s", plb_format_number(number, *(const double *)field, 9)); break;
+        case PLB_SETTING_LENGTH: snprintf(made, sizeof made, "%smm", plb_format_number(number, *(const double *)field, 9)); break;
+        case PLB_SETTING_WHOLE: snprintf(made, sizeof made, "%d", *(const int *)field); break;
+        case PLB_SETTING_SEED: snprintf(made, sizeof made, "%llu", (unsigned long long)*(const uint64_t *)field); break;
+        case PLB_SETTING_CHOICE: print_choice(s, *(const int *)field, made, sizeof made); break;
+        case PLB_SETTING_FLAG: shown = *(const bool *)field ? "on" : "off"; break;
+        case PLB_SETTING_TEXT: shown = *(char *const *)field ? *(char *const *)field : ""; break;
+        case PLB_SETTING_PENCIL: shown = plb_profile_name(o->profile); break;
+        }
+    bool fits = strlen(shown) < size;
+    if (fits)
+        strcpy(text, shown);
+    return fits;
+}
+
+/* The same pencil, perhaps loaded twice. */
+static bool is_same_pencil(const profile *a, const profile *b)
+{
+    return a == b || (!strcmp(a->name, b->name) && a->width_half == b->width_half && a->hand == b->hand &&
+                      !memcmp(a->ccm, b->ccm, (size_t)PROFILE_GREYS * PROFILE_GREYS * sizeof *a->ccm) && !memcmp(&a->grain, &b->grain, sizeof a->grain));
+}
+
+bool plb_setting_is_equal(const setting *s, const plb_options *a, const plb_options *b)
+{
+    const void *x = value_of(s, a), *y = value_of(s, b);
+    switch (s->shown.kind) {
+    case PLB_SETTING_NUMBER:
+    case PLB_SETTING_LENGTH:
+    case PLB_SETTING_RATIO: return *(const double *)x == *(const double *)y;
+    case PLB_SETTING_WHOLE:
+    case PLB_SETTING_CHOICE: return *(const int *)x == *(const int *)y;
+    case PLB_SETTING_SEED: return *(const uint64_t *)x == *(const uint64_t *)y;
+    case PLB_SETTING_FLAG: return *(const bool *)x == *(const bool *)y;
+    case PLB_SETTING_TEXT: {
+        const char *p = *(char *const *)x, *q = *(char *const *)y;
+        return !strcmp(p ? p : "", q ? q : "");
+    }
+    case PLB_SETTING_PENCIL: return is_same_pencil(a->profile->p, b->profile->p);
+    }
+    return false;
+}
