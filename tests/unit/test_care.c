@@ -7,7 +7,7 @@
 
 #include "plan/habits/habits.h"
 #include "plan/strokes/pass.h"
-#include "plan/track.h"
+#include "plan/item/stages.h"
 
 static stroke *add(stroke_list *list, double x0, double y0, double x1, double y1, stroke_kind kind)
 {
@@ -67,33 +67,33 @@ typedef struct {
     point first, last;
 } sight;
 
-static bool look(void *closure, const track *t)
+static void look(sight *s, const track *t)
 {
-    sight *s = closure;
-    *s = (sight){.bounds = BOX_EMPTY, .points = t->points.n, .first = t->points.v[0].at, .last = t->points.v[t->points.n - 1].at};
-    for (size_t i = 0; i < t->points.n; i++) {
-        s->corners += t->points.v[i].corner;
-        plb_box_add(&s->bounds, t->points.v[i].at);
-        if (i == 0 || i + 1 == t->points.n || t->points.v[i].corner)
+    *s = (sight){.bounds = BOX_EMPTY, .points = t->n, .first = t->v[0].at, .last = t->v[t->n - 1].at};
+    for (size_t i = 0; i < t->n; i++) {
+        s->corners += t->v[i].corner;
+        plb_box_add(&s->bounds, t->v[i].at);
+        if (i == 0 || i + 1 == t->n || t->v[i].corner)
             continue;
-        point in = point_sub(t->points.v[i].at, t->points.v[i - 1].at), out = point_sub(t->points.v[i + 1].at, t->points.v[i].at);
+        point in = point_sub(t->v[i].at, t->v[i - 1].at), out = point_sub(t->v[i + 1].at, t->v[i].at);
         s->turn = fmax(s->turn, fabs(atan2(point_cross(in, out), point_dot(in, out))));
     }
-    return true;
 }
 
 /* A zigzag of 45 degrees, `step` mm from corner to corner along x. */
 static sight zigzag(double step, int corners)
 {
-    track t = {0};
+    track_list zigzags = {0}, simpler = {0};
     sight s;
-    for (int i = 0; i < corners + 2; i++) {
-        track_point p = {{10 + i * step, 10 + (i & 1 ? step : 0)}, i > 0 && i <= corners};
-        CHECK(array_push(&t.points, p));
-    }
-    CHECK(plb_plan_simplify(&t, 0.35, look, &s, NULL));
+    CHECK(plb_track_begin(&zigzags, &(track){.style = STROKE_STYLE_USUAL}));
+    for (int i = 0; i < corners + 2; i++)
+        CHECK(plb_track_push(&zigzags, (point){10 + i * step, 10 + (i & 1 ? step : 0)}, i > 0 && i <= corners));
+    CHECK(plb_plan_simplify(&zigzags, 0.35, &simpler, NULL) && simpler.tracks.n == 1);
+    track t = plb_track_at(&simpler, 0);
+    look(&s, &t);
     CHECK(s.first.x == 10 && fabs(s.last.x - (10 + (corners + 1) * step)) < 1e-9);
-    array_free(&t.points);
+    plb_tracks_free(&zigzags);
+    plb_tracks_free(&simpler);
     return s;
 }
 

@@ -4,6 +4,7 @@
  */
 #include "check.h"
 
+#include "plan/hatch/hatch.h"
 #include "plan/hatch/hatch_shape.h"
 #include "plan/shape/region.h"
 
@@ -23,20 +24,33 @@ static double distance(point p, point a, point b)
     return plb_point_distance(point_mix(a, b, t), p);
 }
 
-static bool count(void *closure, const track *t)
+static void count(void *closure, const track *t)
 {
     tally *k = closure;
     k->n++;
     k->least_pressure = fmin(k->least_pressure, (double)t->style.pressure);
-    CHECK(t->style.kind == STROKE_HATCH && t->style.pressure > 0 && t->points.n >= 2);
-    for (size_t i = 0; i < t->points.n; i++) {
-        plb_box_add(&k->bounds, t->points.v[i].at);
+    CHECK(t->style.kind == STROKE_HATCH && t->style.pressure > 0 && t->n >= 2);
+    for (size_t i = 0; i < t->n; i++) {
+        plb_box_add(&k->bounds, t->v[i].at);
         if (i > 0) {
-            k->length += plb_point_distance(t->points.v[i - 1].at, t->points.v[i].at);
-            k->closest = fmin(k->closest, distance(k->hole, t->points.v[i - 1].at, t->points.v[i].at));
+            k->length += plb_point_distance(t->v[i - 1].at, t->v[i].at);
+            k->closest = fmin(k->closest, distance(k->hole, t->v[i - 1].at, t->v[i].at));
         }
     }
-    return true;
+}
+
+/* Hatches a fill and shows each mark. */
+static bool hatch_fill(const hatcher *h, const item *fill, bool *outline, void (*show)(void *closure, const track *t), void *closure)
+{
+    track_list marks = {0};
+    error err = {ERROR_NONE, ""};
+    bool ok = plb_plan_hatch(h, fill, 0, outline, &marks, &err);
+    for (size_t i = 0; i < marks.tracks.n; i++) {
+        track t = plb_track_at(&marks, i);
+        show(closure, &t);
+    }
+    plb_tracks_free(&marks);
+    return ok;
 }
 
 static item fill_of(double grey)
@@ -70,8 +84,7 @@ static tally hatch(item *it, uint64_t seed, bool *outline)
     list.items.n = 1;
     hatcher h = plb_hatcher(&list, &how);
     tally k = {.bounds = BOX_EMPTY, .least_pressure = 1e9, .hole = {50, 50}, .closest = 1e9};
-    error err = {ERROR_NONE, ""};
-    CHECK(plb_plan_hatch(&h, it, 0, outline, count, &k, &err));
+    CHECK(hatch_fill(&h, it, outline, count, &k));
     return k;
 }
 
@@ -279,7 +292,7 @@ static void huge_shapes_stay_in_bounds(void)
     hatcher h = plb_hatcher(&list, &how);
     bool outline;
     for (size_t i = 0; i < list.items.n; i++)
-        CHECK(plb_plan_hatch(&h, &list.items.v[i], 0, &outline, count, &k, NULL));
+        CHECK(hatch_fill(&h, &list.items.v[i], &outline, count, &k));
     CHECK_RANGE((double)k.n, 1e5, 3e6);
     CHECK(k.bounds.x0 > -5000 && k.bounds.x1 < 15000 && k.bounds.y0 > -5000 && k.bounds.y1 < 15000);
     plb_list_free(&list);
@@ -290,15 +303,14 @@ typedef struct {
     double ink[3];
 } thirds;
 
-static bool count_thirds(void *closure, const track *t)
+static void count_thirds(void *closure, const track *t)
 {
     thirds *k = closure;
-    for (size_t i = 1; i < t->points.n; i++) {
-        point a = t->points.v[i - 1].at, b = t->points.v[i].at;
+    for (size_t i = 1; i < t->n; i++) {
+        point a = t->v[i - 1].at, b = t->v[i].at;
         int which = (int)(((a.x + b.x) / 2 - 20) / 20);
         k->ink[which < 0 ? 0 : which > 2 ? 2 : which] += plb_point_distance(a, b) * (double)t->style.pressure;
     }
-    return true;
 }
 
 static void gradients_are_hatched_by_their_local_tone(void)
@@ -319,7 +331,7 @@ static void gradients_are_hatched_by_their_local_tone(void)
     rectangle(&it, 20, 20, 80, 60);
     CHECK(plb_list_add(&list, &it, NULL));
     hatcher h = plb_hatcher(&list, &how);
-    CHECK(plb_plan_hatch(&h, &list.items.v[0], 0, &outline, count_thirds, &k, NULL));
+    CHECK(hatch_fill(&h, &list.items.v[0], &outline, count_thirds, &k));
     CHECK(outline && k.ink[0] > 1.7 * k.ink[1] && k.ink[1] > 2.2 * k.ink[2] && k.ink[2] > 0);
     plb_list_free(&list);
 }

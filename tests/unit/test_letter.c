@@ -21,25 +21,23 @@ typedef struct {
     float pressure;
 } result;
 
-static bool note(void *closure, const track *t)
+static void note(result *r, const track *t)
 {
-    result *r = closure;
-    CHECK(t->points.n >= 2);
+    CHECK(t->n >= 2);
     if (r->n < MOST) {
-        r->first[r->n] = t->points.v[0].at;
-        r->last[r->n] = t->points.v[t->points.n - 1].at;
-        r->middle[r->n] = t->points.v[t->points.n / 2].at;
+        r->first[r->n] = t->v[0].at;
+        r->last[r->n] = t->v[t->n - 1].at;
+        r->middle[r->n] = t->v[t->n / 2].at;
         r->length[r->n] = plb_track_length(t);
         r->closed[r->n] = t->closed;
     }
     r->n++;
-    for (size_t i = 0; i < t->points.n; i++) {
-        r->corners += t->points.v[i].corner;
-        plb_box_add(&r->bounds, t->points.v[i].at);
+    for (size_t i = 0; i < t->n; i++) {
+        r->corners += t->v[i].corner;
+        plb_box_add(&r->bounds, t->v[i].at);
     }
     r->letter = t->style.kind == STROKE_LETTER;
     r->pressure = t->style.pressure;
-    return true;
 }
 
 static void add_polygon(result *r, const double *xy, int n)
@@ -63,10 +61,16 @@ static void add_circle(result *r, double x, double y, double radius, bool backwa
 static result letter(result *r, double degrees)
 {
     item it = {.kind = ITEM_FILL, .paint = {PAINT_SOLID, 0, 0, 0, 1}, .clip = NO_CLIP, .path = r->path, .even_odd = r->even_odd};
-    plan_options how = plb_plan_options_default();
+    plan_options options = plb_plan_options_default();
     plb_path_transform(&it.path, plb_matrix_rotate(degrees * PLB_PI / 180));
     r->bounds = BOX_EMPTY;
-    CHECK(plb_plan_letter(&it, &how, &r->taken, note, r, NULL));
+    track_list strokes = {0};
+    CHECK(plb_plan_letter(&it, &options, &r->taken, &strokes, NULL));
+    for (size_t i = 0; i < strokes.tracks.n; i++) {
+        track t = plb_track_at(&strokes, i);
+        note(r, &t);
+    }
+    plb_tracks_free(&strokes);
     plb_path_free(&it.path);
     CHECK(r->taken || r->n == 0);
     return *r;

@@ -42,7 +42,7 @@ static double overlap(box a, box b)
 
 hatcher plb_hatcher(const display_list *list, const plan_options *o)
 {
-    hatcher h = {.list = list, .how = o, .page = {0, 0, list->width, list->height}, .coarser = 1};
+    hatcher h = {.list = list, .options = o, .page = {0, 0, list->width, list->height}, .coarser = 1};
     technique full = plb_technique(1, o->pencil_width);
     double cover = list->width * list->height / TYPICAL_LENGTH * (1 / full.spacing[0] + 1 / full.spacing[1]);
     double budget = fmin(fmax(MAX_COVERS * cover, MIN_BUDGET), MAX_BUDGET), strokes = 0;
@@ -94,8 +94,8 @@ static double darkest_of(const tone_source *t, const shape *s, double *mean)
 
 static bool add_tone(const hatcher *h, const shape *s, const item *fill, const tone_source *t, double darkness, const marks *m)
 {
-    technique q = plb_technique_for(darkness, h->how);
-    uint64_t key = random_key(h->how->seed, s->identity, PURPOSE_HATCH);
+    technique q = plb_technique_for(darkness, h->options);
+    uint64_t key = random_key(h->options->seed, s->identity, PURPOSE_HATCH);
     double direction = plb_hatch_direction(h, fill) + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
     bool ok = true;
     for (int k = 0; ok && k < HATCH_LAYERS; k++) {
@@ -105,11 +105,11 @@ static bool add_tone(const hatcher *h, const shape *s, const item *fill, const t
     return ok;
 }
 
-bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *outline, track_sink sink, void *closure, error *err)
+bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *outline, track_list *out, error *err)
 {
-    tone_source t = plb_tone_source(h->list, fill, h->how, colour != 0);
+    tone_source t = plb_tone_source(h->list, fill, h->options, colour != 0);
     double darkness = plb_paint_darkness(&fill->paint, colour != 0), mean = darkness;
-    marks m = {h->how, {1, colour, STROKE_HATCH}, sink, closure, err};
+    marks m = {h->options, {1, colour, STROKE_HATCH}, out, err};
     shape s;
     bool ok = plb_shape_init(&s, fill, err);
     *outline = true;
@@ -120,7 +120,7 @@ bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *o
     } else if (ok && s.area > 0 && darkness >= MIN_DARKNESS) {
         bool solid = false;
         m.style.pressure = (float)plb_technique(mean, 0).pressure;
-        ok = plb_is_solid(&s, h->how->pencil_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, &t, darkness, &m));
+        ok = plb_is_solid(&s, h->options->pencil_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, &t, darkness, &m));
     }
     plb_shape_free(&s);
     return ok;

@@ -18,7 +18,7 @@ typedef struct {
 /* What all fills of a drawing share: the page, directions, and the bound on the number of lines. */
 typedef struct {
     const display_list *list; /* borrowed, as … */
-    const plan_options *how;  /* … is this */
+    const plan_options *options;  /* … is this */
     box page;                /* mm: nothing is hatched beyond it */
     double coarser;          /* all spacings are this many times as wide, >= 1, so that a drawing's lines stay in bounds */
     hatch_family families[HATCH_FAMILIES]; /* by darkness */
@@ -32,11 +32,10 @@ bool plb_may_be_hatched(const item *fill, const plan_options *o);
  * when out of memory. */
 bool plb_is_blot(const item *fill, const plan_options *o, bool *blot, error *err);
 
-/* Hands on the marks that give `fill` its tone: tracks with their touch set (pressure; STROKE_HATCH; of the colour
+/* Appends the marks that give `fill` its tone to `out`: tracks with their style set (pressure; STROKE_HATCH; of the colour
  * `colour`), neither clipped nor hidden. *outline tells whether the caller should draw the shape's outline too: not
- * where the marks themselves follow it, nor round what is taken for paper. False and `err` when out of memory or when
- * the sink stops it. */
-bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *outline, track_sink sink, void *closure, error *err);
+ * where the marks themselves follow it, nor round what is taken for paper. False and `err` when out of memory. */
+bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *outline, track_list *out, error *err);
 
 /* ---- hatch_direction.c ---- */
 

@@ -131,7 +131,7 @@ static double pressure_at(const hatching *h, point at, double rank)
     double darkness = plb_darkness_at(h->l->tone, at);
     if (darkness < MIN_DARKNESS)
         return 0;
-    technique q = plb_technique_for(darkness, h->l->tone->how);
+    technique q = plb_technique_for(darkness, h->l->tone->options);
     double spacing = q.spacing[h->l->layer];
     return spacing > 0 && h->l->dense / spacing > rank ? q.pressure : 0;
 }
@@ -210,9 +210,9 @@ bool plb_hatch_lines(const shape *s, const hatch_layer *l, box page, const marks
 {
     frame f = plb_frame(l->angle);
     uint64_t identity = random_mix(s->identity + (uint64_t)l->layer);
-    hatching h = {.l = l, .m = m, .f = f, .page = plb_frame_box(f, page), .key = random_key(m->how->seed, identity, PURPOSE_HATCH)};
+    hatching h = {.l = l, .m = m, .f = f, .page = plb_frame_box(f, page), .key = random_key(m->options->seed, identity, PURPOSE_HATCH)};
     sections k;
-    bool ok = plb_sections_init(&k, s, f, 0, m->err);
+    bool ok = plb_sections_init(&k, &s->edges, s->even_odd, f, 0, m->err);
     double length = k.bounds.x1 - k.bounds.x0;
     k.tilt = TILT * fmin(1, TILT_LENGTH / fmax(length, 1e-9)) * fmin(1, l->spacing);
     ok = ok && send_lines(&h, &k, fmax(k.bounds.y0, h.page.y0), fmin(k.bounds.y1, h.page.y1));
@@ -223,7 +223,7 @@ bool plb_hatch_lines(const shape *s, const hatch_layer *l, box page, const marks
 bool plb_mark_line(const marks *m, point a, point b, double pressure)
 {
     track_point ends[2] = {{a, false}, {b, false}};
-    track t = {.points = {ends, 2, 2}, .style = m->style};
+    track t = {.v = ends, .n = 2, .style = m->style};
     t.style.pressure = (float)pressure;
-    return plb_point_distance(a, b) < SAME_POINT_MM || m->sink(m->closure, &t);
+    return plb_point_distance(a, b) < SAME_POINT_MM || plb_track_copy(m->out, &t) || plb_fail_memory(m->err);
 }

@@ -5,19 +5,19 @@
 #ifndef PLB_PLAN_HATCH_HATCH_LINES_H
 #define PLB_PLAN_HATCH_HATCH_LINES_H
 
+#include "plan/hatch/hatch.h"
 #include "plan/hatch/hatch_shape.h"
 #include "plan/hatch/hatch_tone.h"
 
-/* Where marks go. */
+/* The marks that an area is given, and what they have in common. */
 typedef struct {
-    const plan_options *how;
+    const plan_options *options;
     stroke_style style;
-    track_sink sink;
-    void *closure;
+    track_list *out;
     error *err;
 } marks;
 
-/* Hands on the straight line from a to b. */
+/* Adds the straight line from a to b. False and `err` when out of memory, as below. */
 bool plb_mark_line(const marks *m, point a, point b, double pressure);
 
 /* hatch_lines.c: one layer of parallel lines, `spacing` mm apart on average, in the direction `angle` (radians), where the

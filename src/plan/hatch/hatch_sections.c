@@ -3,7 +3,7 @@
  * Sections of a shape: the scan-line method (Wylie, Romney, Evans & Erdahl 1967) with lines that may tilt a little.
  * Edges are sorted once; each line looks only at the edges it can meet, so the time is linear in the crossings.
  */
-#include "plan/hatch/hatch_shape.h"
+#include "plan/hatch/hatch_sections.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -40,13 +40,13 @@ static int compare_crossings(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-bool plb_sections_init(sections *k, const shape *s, frame f, double tilt, error *err)
+bool plb_sections_init(sections *k, const shape_edges *edges, bool even_odd, frame f, double tilt, error *err)
 {
-    *k = (sections){.bounds = BOX_EMPTY, .tilt = tilt, .even_odd = s->even_odd};
-    if (!array_reserve(&k->edges, s->edges.n))
+    *k = (sections){.bounds = BOX_EMPTY, .tilt = tilt, .even_odd = even_odd};
+    if (!array_reserve(&k->edges, edges->n))
         return plb_fail_memory(err);
-    for (size_t i = 0; i < s->edges.n; i++) {
-        shape_edge e = {frame_to(f, s->edges.v[i].from), frame_to(f, s->edges.v[i].to)};
+    for (size_t i = 0; i < edges->n; i++) {
+        shape_edge e = {frame_to(f, edges->v[i].from), frame_to(f, edges->v[i].to)};
         plb_box_add(&k->bounds, e.from);
         k->edges.v[k->edges.n++] = e;
     }

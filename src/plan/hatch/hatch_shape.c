@@ -5,6 +5,7 @@
 #include "plan/hatch/hatch_shape.h"
 
 #include "base/number/random.h"
+#include "plan/shape/flatten.h"
 
 #include <math.h>
 
@@ -13,17 +14,15 @@
 /* Identities hash positions in this unit, mm. */
 #define IDENTITY_UNIT_MM 0.001
 
-static bool add_subpath(void *closure, const track *t)
+static bool add_subpath(shape *s, const track *t)
 {
-    shape *s = closure;
-    size_t n = t->points.n;
-    if (n < 2)
+    if (t->n < 2)
         return true;
-    if (!array_reserve(&s->edges, n))
+    if (!array_reserve(&s->edges, t->n))
         return false;
     s->subpaths++;
-    for (size_t i = 0; i < n; i++) {
-        shape_edge e = {t->points.v[i].at, t->points.v[(i + 1) % n].at};
+    for (size_t i = 0; i < t->n; i++) {
+        shape_edge e = {t->v[i].at, t->v[(i + 1) % t->n].at};
         plb_box_add(&s->bounds, e.from);
         s->identity = random_fold(s->identity, llround(e.from.x / IDENTITY_UNIT_MM), llround(e.from.y / IDENTITY_UNIT_MM));
         if (e.from.x == e.to.x && e.from.y == e.to.y)
@@ -32,6 +31,18 @@ static bool add_subpath(void *closure, const track *t)
         s->edges.v[s->edges.n++] = e;
     }
     return true;
+}
+
+static bool add_subpaths(shape *s, const path *p, error *err)
+{
+    track_list lines = {0};
+    bool ok = plb_plan_flatten(p, true, &lines, err);
+    for (size_t i = 0; ok && i < lines.tracks.n; i++) {
+        track t = plb_track_at(&lines, i);
+        ok = add_subpath(s, &t) || plb_fail_memory(err);
+    }
+    plb_tracks_free(&lines);
+    return ok;
 }
 
 /* Sums over the filled part, about the middle of the bounds. */
@@ -70,7 +81,7 @@ static bool measure(shape *s, error *err)
     moments m = {0};
     point origin = {(s->bounds.x0 + s->bounds.x1) / 2, (s->bounds.y0 + s->bounds.y1) / 2};
     double height = (s->bounds.y1 - s->bounds.y0) / SECTIONS;
-    bool ok = plb_sections_init(&k, s, plb_frame(0), 0, err);
+    bool ok = plb_sections_init(&k, &s->edges, s->even_odd, plb_frame(0), 0, err);
     for (int i = 0; ok && i < SECTIONS && height > 0; i++) {
         double y = s->bounds.y0 + (i + 0.5) * height;
         ok = plb_sections_at(&k, y, 0, err);
@@ -87,7 +98,7 @@ static bool mean_section(const shape *s, double radians, double *mean, error *er
 {
     sections k;
     double sum = 0, squares = 0;
-    bool ok = plb_sections_init(&k, s, plb_frame(radians), 0, err);
+    bool ok = plb_sections_init(&k, &s->edges, s->even_odd, plb_frame(radians), 0, err);
     for (int i = 0; ok && i < SECTIONS; i++) {
         ok = plb_sections_at(&k, k.bounds.y0 + (i + 0.5) / SECTIONS * (k.bounds.y1 - k.bounds.y0), 0, err);
         for (size_t j = 0; ok && j < k.spans.n; j++) {
@@ -131,8 +142,8 @@ static bool turns_one_way(const shape *s)
 bool plb_shape_init(shape *s, const item *fill, error *err)
 {
     *s = (shape){.bounds = BOX_EMPTY, .even_odd = fill->even_odd, .identity = 0x51ed270b7a2d3c1fu, .elongation = 1};
-    if (!plb_plan_flatten(&fill->path, true, add_subpath, s, err))
-        return plb_fail_memory(err);
+    if (!add_subpaths(s, &fill->path, err))
+        return false;
     s->is_convex = s->subpaths == 1 && s->edges.n > 2 && turns_one_way(s);
     return s->edges.n == 0 || measure(s, err);
 }

@@ -67,7 +67,7 @@ double plb_paint_darkness(const paint *p, bool colour)
 
 tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, bool colour)
 {
-    return (tone_source){.paint = &fill->paint, .gradient = plb_item_gradient(list, fill), .colour = colour, .how = o};
+    return (tone_source){.paint = &fill->paint, .gradient = plb_item_gradient(list, fill), .colour = colour, .options = o};
 }
 
 double plb_darkness_at(const tone_source *t, point at)

@@ -28,7 +28,7 @@ typedef struct {
     const paint *paint;
     const gradient *gradient; /* NULL: the paint's tone is the same everywhere */
     bool colour;
-    const plan_options *how;
+    const plan_options *options;
 } tone_source;
 tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, bool colour);
 /* The darkest of all its places. */

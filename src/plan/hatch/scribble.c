@@ -110,8 +110,8 @@ static double stray(const scribble *k, uint64_t index)
 static bool press(const scribble *k, point a, point b)
 {
     track_point ends[2] = {{a, false}, {b, false}};
-    track t = {.points = {ends, 2, 2}, .style = k->m->style, .corner_first = true, .corner_last = true};
-    return k->m->sink(k->m->closure, &t);
+    track t = {.v = ends, .n = 2, .style = k->m->style, .corner_first = true, .corner_last = true};
+    return plb_track_copy(k->m->out, &t) || plb_fail_memory(k->m->err);
 }
 
 /* One touch for each width of the line across, at least one. */
@@ -145,16 +145,16 @@ typedef struct {
     span last;
     bool met;   /* by a section of the line at work */
     double length; /* of the movement so far, mm */
-    track path; /* its turning points so far, in the page's frame */
-} chain;
+    ARRAY(track_point) turns; /* so far, in the page's frame */
+} movement;
 
-typedef ARRAY(chain) chains;
+typedef ARRAY(movement) movements;
 
-static bool turn_at(const scribble *k, chain *c, double u, double v)
+static bool turn_at(const scribble *k, movement *c, double u, double v)
 {
     track_point p = {frame_from(k->f, (point){u, v}), false};
-    size_t n = c->path.points.n;
-    double step = n ? plb_point_distance(c->path.points.v[n - 1].at, p.at) : 0;
+    size_t n = c->turns.n;
+    double step = n ? plb_point_distance(c->turns.v[n - 1].at, p.at) : 0;
     if (n && step < SAME_POINT_MM)
         return true;
     c->length += step;
@@ -162,7 +162,7 @@ static bool turn_at(const scribble *k, chain *c, double u, double v)
         p.corner = true;
         c->length = 0;
     }
-    return array_push(&c->path.points, p);
+    return array_push(&c->turns, p);
 }
 
 /* What a section beside the pass leaves of it: where the edge runs slantwise, the pass must end earlier. */
@@ -180,7 +180,7 @@ static span within_side(span s, const sections *side)
     return best;
 }
 
-/* A pass ends inside the shape by about half the line, less the less room there is. */
+/* A pass ends inside the shape by about half the line, less the shorter the pass is. */
 static span narrowed(const scribble *k, span s, const sections side[2], uint64_t index)
 {
     s = within_side(within_side(s, &side[0]), &side[1]);
@@ -189,22 +189,22 @@ static span narrowed(const scribble *k, span s, const sections side[2], uint64_t
     return (span){s.from + inset + uneven * stray(k, index), s.to - inset + uneven * stray(k, index + 1)};
 }
 
-static bool finish(const scribble *k, chain *c)
+/* The point goes on from both ends: it is not lifted. */
+static bool finish(const scribble *k, movement *c)
 {
-    size_t n = c->path.points.n;
+    size_t n = c->turns.n;
     bool ok = true;
     if (n >= 2) {
-        c->path.points.v[0].corner = c->path.points.v[n - 1].corner = false;
-        c->path.corner_first = c->path.corner_last = true; /* the point goes on from here: it is not lifted */
-        c->path.style = k->m->style;
-        ok = k->m->sink(k->m->closure, &c->path);
+        track t = {.v = c->turns.v, .n = n, .corner_first = true, .corner_last = true, .style = k->m->style};
+        c->turns.v[0].corner = c->turns.v[n - 1].corner = false;
+        ok = plb_track_copy(k->m->out, &t) || plb_fail_memory(k->m->err);
     }
-    array_free(&c->path.points);
+    array_free(&c->turns);
     return ok;
 }
 
 /* Every other pass goes back. The point goes round its turns in two bends: it is never simply reversed. */
-static bool pass_along(const scribble *k, chain *c, span in, double v, bool back)
+static bool pass_along(const scribble *k, movement *c, span in, double v, bool back)
 {
     double lean = k->apart * PASS_LEAN;
     return turn_at(k, c, back ? in.to : in.from, v - lean) && turn_at(k, c, back ? in.from : in.to, v + lean);
@@ -215,23 +215,23 @@ typedef struct {
     sections cut, side[2];
     double v;
     uint64_t line;
-} scan;
+} pass_sections;
 
-static bool scan_init(scan *at, const scribble *k)
+static bool sections_init(pass_sections *at, const scribble *k)
 {
     error *err = k->m->err;
-    return plb_sections_init(&at->cut, k->s, k->f, 0, err) && plb_sections_init(&at->side[0], k->s, k->f, 0, err) &&
-           plb_sections_init(&at->side[1], k->s, k->f, 0, err);
+    return plb_sections_init(&at->cut, &k->s->edges, k->s->even_odd, k->f, 0, err) && plb_sections_init(&at->side[0], &k->s->edges, k->s->even_odd, k->f, 0, err) &&
+           plb_sections_init(&at->side[1], &k->s->edges, k->s->even_odd, k->f, 0, err);
 }
 
-static void scan_free(scan *at)
+static void sections_free(pass_sections *at)
 {
     plb_sections_free(&at->cut);
     plb_sections_free(&at->side[0]);
     plb_sections_free(&at->side[1]);
 }
 
-static bool scan_at(scan *at, const scribble *k, uint64_t line, double v)
+static bool sections_at(pass_sections *at, const scribble *k, uint64_t line, double v)
 {
     double beside = k->width * SIDE_WIDTHS;
     at->v = v;
@@ -241,40 +241,40 @@ static bool scan_at(scan *at, const scribble *k, uint64_t line, double v)
 }
 
 /* Adds the pass of one section: on from the chain it overlaps, or a new one. */
-static bool add_pass(const scribble *k, chains *open, const scan *at, size_t index)
+static bool add_pass(const scribble *k, movements *open, const pass_sections *at, size_t index)
 {
     span s = at->cut.spans.v[index], in = narrowed(k, s, at->side, at->line * 1024 + index * 2);
     double v = at->v;
     bool back = at->line % 2;
     for (size_t i = 0; i < open->n; i++) {
-        chain *c = &open->v[i];
+        movement *c = &open->v[i];
         if (c->met || s.from > c->last.to || s.to < c->last.from)
             continue;
         c->met = true;
         c->last = s;
         return pass_along(k, c, in, v, back);
     }
-    chain c = {.last = s, .met = true};
+    movement c = {.last = s, .met = true};
     bool ok = pass_along(k, &c, in, v, back) && array_push(open, c);
     if (!ok)
-        array_free(&c.path.points);
+        array_free(&c.turns);
     return ok;
 }
 
-/* Ends the chains that the line at work did not meet. */
-static bool end_unmet(const scribble *k, chains *open, bool all)
+/* Ends the movements that the line at work did not meet. */
+static bool end_unmet(const scribble *k, movements *open, bool all)
 {
     size_t kept = 0;
     bool ok = true;
     for (size_t i = 0; i < open->n; i++) {
-        chain *c = &open->v[i];
+        movement *c = &open->v[i];
         if (c->met && !all) {
             c->met = false;
             open->v[kept++] = *c;
         } else if (ok) {
             ok = finish(k, c);
         } else {
-            array_free(&c->path.points);
+            array_free(&c->turns);
         }
     }
     open->n = kept;
@@ -283,23 +283,23 @@ static bool end_unmet(const scribble *k, chains *open, bool all)
 
 static bool back_and_forth(scribble *k, box page)
 {
-    scan at = {0};
-    chains open = {0};
-    bool ok = scan_init(&at, k);
-    double low = fmax(at.cut.bounds.y0, page.y0), high = fmin(at.cut.bounds.y1, page.y1), room = high - low - k->width;
-    double passes = room > 0 ? fmin(ceil(room / (PASS_WIDTHS * k->width)), MAX_PASSES) : 0;
-    double apart = passes > 0 ? room / passes : 0, first = passes > 0 ? low + k->width / 2 : (low + high) / 2;
+    pass_sections at = {0};
+    movements open = {0};
+    bool ok = sections_init(&at, k);
+    double low = fmax(at.cut.bounds.y0, page.y0), high = fmin(at.cut.bounds.y1, page.y1), breadth = high - low - k->width;
+    double passes = breadth > 0 ? fmin(ceil(breadth / (PASS_WIDTHS * k->width)), MAX_PASSES) : 0;
+    double apart = passes > 0 ? breadth / passes : 0, first = passes > 0 ? low + k->width / 2 : (low + high) / 2;
     k->apart = apart;
     for (uint64_t i = 0; ok && (double)i <= passes; i++) {
         double v = first + apart * ((double)i + (i > 0 && (double)i < passes ? PASS_STRAY * stray(k, i) : 0));
-        ok = scan_at(&at, k, i, v);
+        ok = sections_at(&at, k, i, v);
         for (size_t j = 0; ok && j < at.cut.spans.n; j++)
             ok = add_pass(k, &open, &at, j) || plb_fail_memory(k->m->err);
         ok = end_unmet(k, &open, false) && ok;
     }
     ok = end_unmet(k, &open, true) && ok;
     array_free(&open);
-    scan_free(&at);
+    sections_free(&at);
     return ok;
 }
 
@@ -350,15 +350,15 @@ static bool follow_inside(const scribble *k, bool *done)
     if (n < 3 || plb_point_distance(corners[0].at, corners[n - 1].at) < SAME_POINT_MM)
         return true;
     corners[n] = corners[0];
-    track t = {.points = {corners, n + 1, n + 1}, .closed = true, .style = k->m->style};
+    track t = {.v = corners, .n = n + 1, .closed = true, .style = k->m->style};
     *done = true;
-    return k->m->sink(k->m->closure, &t);
+    return plb_track_copy(k->m->out, &t) || plb_fail_memory(k->m->err);
 }
 
 bool plb_scribble(const shape *s, box page, const marks *m, bool *outline)
 {
-    double width = m->how->pencil_width, angle = s->elongation > LONG_ELONGATION ? s->axis : HATCH_HABIT;
-    scribble k = {s, m, plb_frame(angle), width, 0, random_key(m->how->seed, s->identity, PURPOSE_HATCH)};
+    double width = m->options->pencil_width, angle = s->elongation > LONG_ELONGATION ? s->axis : HATCH_HABIT;
+    scribble k = {s, m, plb_frame(angle), width, 0, random_key(m->options->seed, s->identity, PURPOSE_HATCH)};
     box b = extent_in(s, k.f);
     bool is_bar = s->area > BAR_COVER * (b.x1 - b.x0) * (b.y1 - b.y0), done = false;
     *outline = false;

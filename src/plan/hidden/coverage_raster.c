@@ -6,6 +6,7 @@
  */
 #include "plan/hidden/coverage_raster.h"
 
+#include "plan/shape/flatten.h"
 #include "plan/shape/grid.h"
 
 #include <math.h>
@@ -37,7 +38,8 @@ struct topmost {
     uint32_t *mark; /* of each cell: the last shape with an edge in it, as in `top` */
     int *low, *high;  /* of each row: the columns that the shape at work lies in */
     size_t *first;    /* of each row, and one more: where its crossings start */
-    ARRAY(edge) edges; /* of the shape at work */
+    track_list lines;  /* of the shape at work … */
+    ARRAY(edge) edges; /* … and their edges */
     ARRAY(crossing) at;
     double work;
 };
@@ -77,6 +79,7 @@ void plb_topmost_free(topmost *t)
     plb_free(t->low);
     plb_free(t->high);
     plb_free(t->first);
+    plb_tracks_free(&t->lines);
     array_free(&t->edges);
     array_free(&t->at);
     plb_free(t);
@@ -116,13 +119,20 @@ bool plb_topmost_hides_box(topmost *t, box b)
 
 /* ---- a shape ---- */
 
-static bool add_edges(void *closure, const track *k)
+/* The edges of the shape at work, whose subpaths are closed. */
+static bool find_edges(topmost *t, const path *shape, error *err)
 {
-    topmost *t = closure;
-    size_t n = k->points.n;
-    bool ok = array_reserve(&t->edges, n);
-    for (size_t i = 0; ok && i < n; i++)
-        t->edges.v[t->edges.n++] = (edge){k->points.v[i].at, k->points.v[(i + 1) % n].at};
+    plb_tracks_clear(&t->lines);
+    if (!plb_plan_flatten(shape, true, &t->lines, err))
+        return false;
+    bool ok = true;
+    t->edges.n = 0;
+    for (size_t k = 0; ok && k < t->lines.tracks.n; k++) {
+        track line = plb_track_at(&t->lines, k);
+        ok = array_reserve(&t->edges, line.n);
+        for (size_t i = 0; ok && i < line.n; i++)
+            t->edges.v[t->edges.n++] = (edge){line.v[i].at, line.v[(i + 1) % line.n].at};
+    }
     return ok;
 }
 
@@ -239,8 +249,8 @@ static void fill(topmost *t, bool even_odd, box within, uint32_t name)
 {
     double cell = t->cells.cell, more = EDGE_MARGIN_MM;
     int left = within.x0 <= 0 ? 0 : (int)ceil((within.x0 + more) / cell), right = (int)fmin(floor((within.x1 - more) / cell), t->columns) - 1;
-    int top = within.y0 <= 0 ? 0 : (int)ceil((within.y0 + more) / cell), foot = (int)fmin(floor((within.y1 - more) / cell), t->rows) - 1;
-    for (int row = top; row <= foot; row++) {
+    int top = within.y0 <= 0 ? 0 : (int)ceil((within.y0 + more) / cell), bottom = (int)fmin(floor((within.y1 - more) / cell), t->rows) - 1;
+    for (int row = top; row <= bottom; row++) {
         int winding = 0;
         for (size_t i = t->first[row]; i + 1 < t->first[row + 1]; i++) {
             winding += even_odd ? 1 : t->at.v[i].way;
@@ -262,8 +272,7 @@ bool plb_topmost_add(topmost *t, const path *shape, bool even_odd, box within, b
     *is_hidden = false;
     if (t->work > MAX_WORK || order >= UINT32_MAX)
         return true;
-    t->edges.n = 0;
-    if (!plb_plan_flatten(shape, true, add_edges, t, err))
+    if (!find_edges(t, shape, err))
         return plb_fail_memory(err);
     mark_edges(t, (uint32_t)order + 1);
     *is_hidden = is_within(plb_path_bounds(shape), within) && hides_marked(t);

@@ -51,8 +51,9 @@ struct cover {
     topmost *raster; /* NULL where nothing hides */
     bool *hidden;    /* of each item: no need to look at it */
     double work;
-    size_t asks; /* the item that asks */
-    bool later;  /* what comes after it counts; else what came before: set by each question, as the sinks ask others */
+    size_t query_item; /* the item that asks */
+    bool query_above;  /* what comes after that item counts; else what came before: set by each question */
+    track_list seen;   /* by the raster, of the track at work */
     error *err;
 };
 
@@ -100,7 +101,7 @@ static bool add_area(cover *c, size_t i)
     const display_list *list = c->list;
     box b = reach_of(list, &list->items.v[i]);
     if (b.x1 - b.x0 < 2 * EDGE_MARGIN_MM || b.y1 - b.y0 < 2 * EDGE_MARGIN_MM)
-        return true; /* no room for anything to hide in */
+        return true; /* too small for anything to hide in */
     area a = {.bounds = b, .order = i};
     a.code = spread((b.x0 + b.x1) / 2 / list->width) | spread((b.y0 + b.y1) / 2 / list->height) << 1;
     return array_push(&c->areas, a);
@@ -221,6 +222,7 @@ void plb_cover_free(cover *c)
     array_free(&c->areas);
     array_free(&c->nodes);
     plb_topmost_free(c->raster);
+    plb_tracks_free(&c->seen);
     plb_free(c->hidden);
     plb_free(c);
 }
@@ -259,7 +261,7 @@ static bool concerns(cover *c, const node *at, const box *b)
 {
     c->work++;
     bool apart = (at->bounds.x0 > b->x1) | (at->bounds.x1 < b->x0) | (at->bounds.y0 > b->y1) | (at->bounds.y1 < b->y0);
-    return !(apart | (c->later & (at->latest <= c->asks)) | plb_cover_is_exhausted(c));
+    return !(apart | (c->query_above & (at->latest <= c->query_item)) | plb_cover_is_exhausted(c));
 }
 
 /* Every such area below a node; false when a visit said so. */
@@ -288,7 +290,7 @@ typedef struct {
 static bool cross_area(cover *c, area *a, void *closure)
 {
     cross_question *q = closure;
-    if ((a->order > c->asks) != c->later)
+    if ((a->order > c->query_item) != c->query_above)
         return true;
     const region *r = region_of(c, a);
     if (!r || !plb_region_cross(r, q->from, q->to, q->at))
@@ -303,9 +305,9 @@ static bool cross_area(cover *c, area *a, void *closure)
     return true;
 }
 
-static bool cross(cover *c, bool later, point from, point to, crossings *at)
+static bool cross(cover *c, bool above, point from, point to, crossings *at)
 {
-    c->later = later;
+    c->query_above = above;
     if (plb_cover_is_exhausted(c))
         return true;
     box b = BOX_EMPTY;
@@ -339,7 +341,7 @@ static bool leaves_open(cover *c, area *a, void *closure)
 static bool sees(const void *of, point p)
 {
     cover *c = (cover *)of;
-    c->later = true;
+    c->query_above = true;
     return plb_cover_is_exhausted(c) || visit_all(c, (box){p.x, p.y, p.x, p.y}, leaves_open, &p);
 }
 
@@ -362,7 +364,7 @@ typedef struct {
 static bool find_ground(cover *c, area *a, void *closure)
 {
     ground_question *q = closure;
-    if (a->order < c->asks && a->order >= q->next && covers(c, a, q->at))
+    if (a->order < c->query_item && a->order >= q->next && covers(c, a, q->at))
         q->next = a->order + 1;
     return true;
 }
@@ -376,9 +378,9 @@ static bool stands_out(const void *of, point p)
 {
     cover *c = (cover *)of;
     ground_question q = {p, 0};
-    c->later = false;
+    c->query_above = false;
     visit_all(c, (box){p.x, p.y, p.x, p.y}, find_ground, &q);
-    return plb_cover_is_exhausted(c) || q.next == 0 || !is_same_paint(&c->list->items.v[q.next - 1].paint, &c->list->items.v[c->asks].paint);
+    return plb_cover_is_exhausted(c) || q.next == 0 || !is_same_paint(&c->list->items.v[q.next - 1].paint, &c->list->items.v[c->query_item].paint);
 }
 
 static bool stop(cover *c, area *a, void *closure)
@@ -392,51 +394,83 @@ static bool stop(cover *c, area *a, void *closure)
 static bool cross_raster(const void *of, point from, point to, crossings *at)
 {
     const cover *c = of;
-    return plb_topmost_cross(c->raster, c->asks, from, to, at);
+    return plb_topmost_cross(c->raster, c->query_item, from, to, at);
 }
 
 static bool is_open(const void *of, point p)
 {
     const cover *c = of;
-    return !plb_topmost_is_over(c->raster, c->asks, p);
+    return !plb_topmost_is_over(c->raster, c->query_item, p);
 }
 
-typedef struct {
-    cut_rule rule;
-    track_sink sink;
-    void *closure;
-    error *err;
-} exact_cut;
-
-static bool cut_exactly(void *closure, const track *t)
+/* The parts of a track that the exact rule sees. */
+static bool cut(cover *c, const trim_rule *exact, const track *t, track_list *out, bool *is_part)
 {
-    const exact_cut *k = closure;
-    return plb_plan_cut(&k->rule, t, k->sink, k->closure, k->err);
+    if (!c->raster)
+        return plb_plan_trim(exact, t, out, is_part, c->err);
+    trim_rule rough = {cross_raster, is_open, c};
+    plb_tracks_clear(&c->seen);
+    bool ok = plb_plan_trim(&rough, t, &c->seen, is_part, c->err);
+    for (size_t i = 0; ok && i < c->seen.tracks.n; i++) {
+        track seen = plb_track_at(&c->seen, i);
+        ok = plb_plan_trim(exact, &seen, out, is_part, c->err);
+    }
+    return ok;
 }
 
-static bool cut_twice(cover *c, size_t i, const track *t, exact_cut *second)
+/* Whether an end is not that of the whole track. */
+static bool is_new_end(point end, point of_whole)
 {
-    cut_rule first = {cross_raster, is_open, c};
-    c->asks = i;
-    c->err = second->err;
-    return c->raster ? plb_plan_cut(&first, t, cut_exactly, second, second->err) : cut_exactly(second, t);
+    return plb_point_distance(end, of_whole) > SAME_POINT_MM;
 }
 
-bool plb_plan_hide(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err)
+static void note_parts(track_list *out, size_t from, const track *whole)
 {
-    c->asks = i;
-    c->later = true;
-    c->err = err;
+    for (size_t i = from; i < out->tracks.n; i++) {
+        track *part = &out->tracks.v[i];
+        const track_point *v = out->points.v + part->first;
+        part->is_part = true;
+        part->hidden_first = is_new_end(v[0].at, whole->v[0].at);
+        part->hidden_last = is_new_end(v[part->n - 1].at, whole->v[whole->n - 1].at);
+    }
+}
+
+static bool hide(cover *c, const track *t, track_list *out)
+{
+    trim_rule exact = {cross_above, sees, c};
+    size_t from = out->tracks.n;
+    bool is_part = false;
+    c->query_above = true;
     if (visit_all(c, plb_track_bounds(t), stop, NULL)) /* nothing near */
-        return sink(closure, t);
-    exact_cut exact = {{cross_above, sees, c}, sink, closure, err};
-    return cut_twice(c, i, t, &exact);
+        return plb_track_copy(out, t) || plb_fail_memory(c->err);
+    if (!cut(c, &exact, t, out, &is_part))
+        return false;
+    if (is_part)
+        note_parts(out, from, t);
+    return true;
 }
 
-bool plb_plan_fuse(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err)
+bool plb_plan_hide(cover *c, size_t i, const track_list *in, track_list *out, error *err)
 {
-    if (!is_opaque(&c->list->items.v[i]))
-        return sink(closure, t);
-    exact_cut exact = {{cross_below, stands_out, c}, sink, closure, err};
-    return cut_twice(c, i, t, &exact);
+    bool ok = true;
+    c->query_item = i;
+    c->err = err;
+    for (size_t k = 0; ok && k < in->tracks.n; k++) {
+        track t = plb_track_at(in, k);
+        ok = hide(c, &t, out);
+    }
+    return ok;
+}
+
+bool plb_plan_fuse(cover *c, size_t i, const track_list *in, track_list *out, error *err)
+{
+    trim_rule exact = {cross_below, stands_out, c};
+    bool ok = true, is_part, fuses = is_opaque(&c->list->items.v[i]);
+    c->query_item = i;
+    c->err = err;
+    for (size_t k = 0; ok && k < in->tracks.n; k++) {
+        track t = plb_track_at(in, k);
+        ok = fuses ? cut(c, &exact, &t, out, &is_part) : plb_track_copy(out, &t) || plb_fail_memory(err);
+    }
+    return ok;
 }

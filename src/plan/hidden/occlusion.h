@@ -16,11 +16,12 @@ cover *plb_cover_new(const display_list *list, const plan_options *o, clipper *c
 void plb_cover_free(cover *c);
 /* Whether item number `i` is hidden as a whole, as far as that is found by a glance: its plan can be left out. */
 bool plb_cover_hides_item(const cover *c, size_t i);
-/* Hands on the parts of `t`, which belongs to item number `i`, that no later item hides. */
-bool plb_plan_hide(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err);
-/* Hands on the parts of `t`, the outline of the filled item number `i`, that do not lie upon an area of the same paint:
+/* Appends the parts of the tracks `in`, which belong to item number `i`, that no later item hides to `out`, and notes which are parts. False
+ * and `err` when out of memory. */
+bool plb_plan_hide(cover *c, size_t i, const track_list *in, track_list *out, error *err);
+/* Appends the parts of the tracks `in`, the outline of the filled item number `i`, that do not lie upon an area of the same paint:
  * shapes of one paint make one shape. */
-bool plb_plan_fuse(cover *c, size_t i, const track *t, track_sink sink, void *closure, error *err);
+bool plb_plan_fuse(cover *c, size_t i, const track_list *in, track_list *out, error *err);
 /* Whether the work had a bound and reached it: what came after was not cut. */
 bool plb_cover_is_exhausted(const cover *c);
 

@@ -14,6 +14,7 @@ struct clipper {
     const display_list *list;
     region *page;
     region **regions; /* one per clip of the list, made when first needed */
+    track_list left[2]; /* what the clips so far have left, and what the next one leaves */
 };
 
 clipper *plb_clipper_new(const display_list *list, error *err)
@@ -45,6 +46,8 @@ void plb_clipper_free(clipper *c)
         plb_region_free(c->regions[i]);
     plb_free(c->regions);
     plb_region_free(c->page);
+    plb_tracks_free(&c->left[0]);
+    plb_tracks_free(&c->left[1]);
     plb_free(c);
 }
 
@@ -79,37 +82,30 @@ static bool sees(const void *of, point p)
     return plb_region_contains(of, p, EDGE_MARGIN_MM);
 }
 
-static bool cut_by(const region *r, const track *t, track_sink sink, void *closure, error *err)
+static bool cut_all(const region *r, const track_list *in, track_list *out, error *err)
 {
-    cut_rule rule = {cross, sees, r};
-    switch (side_of(r, plb_track_bounds(t))) {
-    case ALL_OUTSIDE: return true;
-    case ALL_INSIDE: return sink(closure, t);
-    default: return plb_plan_cut(&rule, t, sink, closure, err);
+    trim_rule rule = {cross, sees, r};
+    bool ok = true, is_part;
+    for (size_t i = 0; ok && i < in->tracks.n; i++) {
+        track t = plb_track_at(in, i);
+        switch (side_of(r, plb_track_bounds(&t))) {
+        case ALL_OUTSIDE: break;
+        case ALL_INSIDE: ok = plb_track_copy(out, &t) || plb_fail_memory(err); break;
+        default: ok = plb_plan_trim(&rule, &t, out, &is_part, err); break;
+        }
     }
+    return ok;
 }
 
-/* The chain of clips, outermost last, each cutting what the one before left. */
-typedef struct {
-    clipper *c;
-    int index;
-    track_sink sink;
-    void *closure;
-    error *err;
-} chain;
-
-static bool cut_by_chain(void *closure, const track *t)
+/* Each clip cuts what the one inside it has left, the page comes last. */
+bool plb_plan_clip(clipper *c, int index, const track_list *in, track_list *out, error *err)
 {
-    const chain *k = closure;
-    if (k->index == NO_CLIP)
-        return cut_by(k->c->page, t, k->sink, k->closure, k->err);
-    const region *r = plb_clipper_region(k->c, k->index, k->err);
-    chain outer = {k->c, k->c->list->clips.v[k->index].parent, k->sink, k->closure, k->err};
-    return r && cut_by(r, t, cut_by_chain, &outer, k->err);
-}
-
-bool plb_plan_clip(clipper *c, int index, const track *t, track_sink sink, void *closure, error *err)
-{
-    chain k = {c, index, sink, closure, err};
-    return cut_by_chain(&k, t);
+    for (int turn = 0; index != NO_CLIP; index = c->list->clips.v[index].parent, turn = !turn) {
+        const region *r = plb_clipper_region(c, index, err);
+        plb_tracks_clear(&c->left[turn]);
+        if (!r || !cut_all(r, in, &c->left[turn], err))
+            return false;
+        in = &c->left[turn];
+    }
+    return cut_all(c->page, in, out, err);
 }

@@ -5,6 +5,7 @@
 #ifndef PLB_PLAN_ITEM_CLIP_H
 #define PLB_PLAN_ITEM_CLIP_H
 
+#include "list/display_list.h"
 #include "plan/shape/region.h"
 #include "plan/track.h"
 
@@ -14,7 +15,8 @@ clipper *plb_clipper_new(const display_list *list, error *err);
 void plb_clipper_free(clipper *c);
 /* The clip of that index, without its parents; NULL and `err` when out of memory. */
 const region *plb_clipper_region(clipper *c, int index, error *err);
-/* The parts of `t` inside a clip, its parents and the page; `index` is an item's clip or NO_CLIP. */
-bool plb_plan_clip(clipper *c, int index, const track *t, track_sink sink, void *closure, error *err);
+/* Appends the parts of the tracks `in` inside a clip, its parents and the page to `out`; `index` is an item's clip or NO_CLIP. False and
+ * `err` when out of memory. */
+bool plb_plan_clip(clipper *c, int index, const track_list *in, track_list *out, error *err);
 
 #endif

@@ -1,66 +1,51 @@
 /* SPDX-License-Identifier: MIT
  *
- * Plan, step 4: a stroke ends where the line turns sharply.
+ * Plan, one item, corners: a stroke ends where the line turns sharply.
  */
-#include "plan/track.h"
+#include "plan/item/stages.h"
 
-/* Points first to last of `t` as a track of their own. */
-static bool send(const track *t, size_t first, size_t last, track *piece, track_sink sink, void *closure, error *err)
+/* Point i of `t`, whose drawing begins at vertex k: only a closed track begins elsewhere than at 0. */
+static track_point point_of(const track *t, size_t k, size_t i)
 {
-    size_t n = t->points.n;
-    piece->points.n = 0;
-    piece->style = t->style;
-    piece->corner_first = t->closed || t->corner_first || first > 0;
-    piece->corner_last = t->closed || t->corner_last || last + 1 < n;
-    if (!array_reserve(&piece->points, last - first + 1))
-        return plb_fail_memory(err);
-    for (size_t i = first; i <= last; i++) {
-        track_point p = t->points.v[i];
-        p.corner = false;
-        piece->points.v[piece->points.n++] = p;
-    }
-    return sink(closure, piece);
+    return k == 0 ? t->v[i] : t->v[(k + i) % (t->n - 1)];
 }
 
-/* The closed track `t` begun at its vertex `k` instead. */
-static bool rotate(const track *t, size_t k, track *out, error *err)
+/* Points first to last of `t`, begun at vertex k, as a track of their own. */
+static bool add_piece(const track *t, size_t k, size_t first, size_t last, track_list *out)
 {
-    size_t n = t->points.n - 1;
-    if (!array_reserve(&out->points, n + 1))
-        return plb_fail_memory(err);
-    for (size_t i = 0; i <= n; i++)
-        out->points.v[i] = t->points.v[(k + i) % n];
-    out->points.n = n + 1;
+    track piece = {.style = t->style};
+    piece.corner_first = t->closed || t->corner_first || first > 0;
+    piece.corner_last = t->closed || t->corner_last || last + 1 < t->n;
+    if (!plb_track_begin(out, &piece) || !array_reserve(&out->points, last - first + 1))
+        return false;
+    for (size_t i = first; i <= last; i++)
+        out->points.v[out->points.n++] = (track_point){point_of(t, k, i).at, false};
+    track_last(out)->n = last - first + 1;
     return true;
 }
 
-static bool cut(const track *t, track_sink sink, void *closure, error *err)
+static bool cut(const track *t, track_list *out)
 {
-    track piece = {0};
+    size_t k = 0, first = 0;
+    while (t->closed && k < t->n && !t->v[k].corner)
+        k++;
+    if (t->n < 2 || k == t->n) /* smooth all around: one closed stroke */
+        return plb_track_copy(out, t);
     bool ok = true;
-    size_t first = 0, n = t->points.n;
-    for (size_t i = 1; ok && i < n; i++)
-        if (i == n - 1 || t->points.v[i].corner) {
-            ok = send(t, first, i, &piece, sink, closure, err);
+    for (size_t i = 1; ok && i < t->n; i++)
+        if (i == t->n - 1 || point_of(t, k, i).corner) {
+            ok = add_piece(t, k, first, i, out);
             first = i;
         }
-    array_free(&piece.points);
     return ok;
 }
 
-bool plb_plan_corners(const track *t, track_sink sink, void *closure, error *err)
+bool plb_plan_corners(const track_list *in, track_list *out, error *err)
 {
-    size_t n = t->points.n, k = 0;
-    if (n < 2)
-        return sink(closure, t);
-    if (!t->closed)
-        return cut(t, sink, closure, err);
-    while (k < n && !t->points.v[k].corner)
-        k++;
-    if (k == n) /* smooth all around: one closed stroke */
-        return sink(closure, t);
-    track turned = {.style = t->style, .closed = true};
-    bool ok = rotate(t, k, &turned, err) && cut(&turned, sink, closure, err);
-    array_free(&turned.points);
+    bool ok = true;
+    for (size_t i = 0; ok && i < in->tracks.n; i++) {
+        track t = plb_track_at(in, i);
+        ok = cut(&t, out) || plb_fail_memory(err);
+    }
     return ok;
 }

@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Plan, step 3: dashes. Each dash becomes a track, so that it becomes a stroke of its own; as a hand does not measure,
+ * Plan, one item, dashes. Each dash becomes a track, so that it becomes a stroke of its own; as a hand does not measure,
  * none is quite as long as the other.
  */
-#include "plan/item/dash.h"
+#include "plan/item/stages.h"
 
 #include "base/number/random.h"
+#include "plan/item/weight.h"
 
 #include <math.h>
 
@@ -21,9 +22,15 @@
 #define UNEVEN 0.15
 #define MAX_STRAY_MM 0.5
 
+/* A point painted with a round or square cap is a dot: a touch of the pencil this long (chosen by eye). */
+#define DOT_MM 0.12
+
 /* A walk along the dash pattern. */
 typedef struct {
     const item *it;
+    track_list *out;
+    bool is_open;  /* the last track of `out` is a dash that goes on */
+    stroke_style style;
     double factor; /* of the pattern's lengths */
     uint64_t key;  /* of its unevenness */
     double index;  /* of the entry that is running, counted from the start of the line */
@@ -50,8 +57,8 @@ static double length_of(const pattern *p, size_t k)
 /* How far from its place the running entry ends. */
 static double stray(const pattern *p)
 {
-    double room = fmin(length_of(p, p->k), length_of(p, p->k + 1)) * UNEVEN;
-    return fmin(room, MAX_STRAY_MM) * (2 * random_unit(p->key, (uint64_t)(int64_t)p->index) - 1);
+    double most = fmin(length_of(p, p->k), length_of(p, p->k + 1)) * UNEVEN;
+    return fmin(most, MAX_STRAY_MM) * (2 * random_unit(p->key, (uint64_t)(int64_t)p->index) - 1);
 }
 
 static void advance(pattern *p)
@@ -82,41 +89,39 @@ static void set_at(pattern *p, double where, double period)
     p->left = fmax(p->left - phase + stray(p), 0);
 }
 
-static bool push(track *dash, point at, bool corner, error *err)
+static bool push(pattern *p, point at, bool corner)
 {
-    size_t n = dash->points.n;
-    if (n && plb_point_distance(dash->points.v[n - 1].at, at) < SAME_POINT_MM)
-        return true;
-    track_point p = {at, corner && n > 0};
-    return array_push(&dash->points, p) || plb_fail_memory(err);
+    bool begins = !p->is_open;
+    p->is_open = (!begins || plb_track_begin(p->out, &(track){.style = p->style})) && plb_track_push(p->out, at, corner && !begins);
+    return p->is_open;
 }
 
 /* A dash too short for the hand becomes a touch about its middle, along `direction`. */
-static bool lengthen(track *dash, point direction, error *err)
+static bool lengthen(pattern *p, const track *dash, point direction)
 {
-    point a = dash->points.v[0].at, b = dash->points.v[dash->points.n - 1].at, middle = point_mix(a, b, .5);
+    point middle = point_mix(dash->v[0].at, dash->v[dash->n - 1].at, .5);
     double length = plb_point_length(direction);
     point half = length > 0 ? point_scale(direction, TOUCH_MM / 2 / length) : (point){TOUCH_MM / 2, 0};
-    dash->points.n = 0;
-    return push(dash, point_sub(middle, half), false, err) && push(dash, point_add(middle, half), false, err);
+    plb_track_drop(p->out);
+    p->is_open = false;
+    return push(p, point_sub(middle, half), false) && push(p, point_add(middle, half), false);
 }
 
 /* Ends the dash that is being built. */
-static bool flush(track *dash, point direction, track_sink sink, void *closure, error *err)
+static bool end_dash(pattern *p, point direction)
 {
-    bool ok = true;
-    if (dash->points.n && plb_track_length(dash) < TOUCH_MM)
-        ok = lengthen(dash, direction, err);
-    if (ok && dash->points.n) {
-        dash->points.v[dash->points.n - 1].corner = false;
-        ok = sink(closure, dash);
-    }
-    dash->points.n = 0;
+    if (!p->is_open)
+        return true;
+    track dash = plb_track_at(p->out, p->out->tracks.n - 1);
+    bool ok = plb_track_length(&dash) >= TOUCH_MM || lengthen(p, &dash, direction);
+    if (ok)
+        p->out->points.v[p->out->points.n - 1].corner = false;
+    p->is_open = false;
     return ok;
 }
 
 /* One straight piece of the track. */
-static bool walk(pattern *p, track *dash, track_point from, track_point to, track_sink sink, void *closure, error *err)
+static bool walk(pattern *p, track_point from, track_point to)
 {
     double length = plb_point_distance(from.at, to.at), done = 0;
     point direction = point_sub(to.at, from.at);
@@ -124,23 +129,25 @@ static bool walk(pattern *p, track *dash, track_point from, track_point to, trac
         done += p->left;
         point here = point_mix(from.at, to.at, done / length);
         bool on = !(p->k & 1), is_nothing = on && length_of(p, p->k) == 0 && p->it->cap == LINE_CAP_BUTT;
-        if (on && !push(dash, here, false, err))
+        if (on && !push(p, here, false))
             return false;
-        if (is_nothing) /* a dot without caps */
-            dash->points.n = 0;
-        if (on && !flush(dash, direction, sink, closure, err))
+        if (is_nothing) { /* a dot without caps */
+            plb_track_drop(p->out);
+            p->is_open = false;
+        }
+        if (on && !end_dash(p, direction))
             return false;
         advance(p);
-        if (!(p->k & 1) && !push(dash, here, false, err))
+        if (!(p->k & 1) && !push(p, here, false))
             return false;
     }
     p->left -= length - done;
-    return (p->k & 1) || push(dash, to.at, to.corner, err);
+    return (p->k & 1) || push(p, to.at, to.corner);
 }
 
 static uint64_t hash_track(const track *t)
 {
-    point a = t->points.v[0].at, b = t->points.v[t->points.n - 1].at;
+    point a = t->v[0].at, b = t->v[t->n - 1].at;
     uint64_t h = random_fold(1, llround(a.x * 1000), llround(a.y * 1000));
     return random_fold(h, llround(b.x * 1000), llround(b.y * 1000));
 }
@@ -153,21 +160,38 @@ static bool has_gaps(const item *it)
     return false;
 }
 
-bool plb_plan_dash(const item *it, const track *t, const plan_options *o, track_sink sink, void *closure, error *err)
+static bool add_dashes(const item *it, const track *t, const plan_options *o, track_list *out)
 {
     double period = it->kind == ITEM_STROKE && has_gaps(it) ? period_of(it) : 0;
     double factor = period > 0 ? fmax(1, ceil(SHORTEST_PERIOD_WIDTHS * o->pencil_width / period)) : 0;
     period *= factor;
-    if (!(period > 0 && period < 1e9) || t->points.n < 2 || plb_track_length(t) / period > MAX_DASHES)
-        return sink(closure, t);
-    pattern p = {.it = it, .factor = factor, .key = random_key(o->seed, hash_track(t), PURPOSE_DASH)};
+    if (!(period > 0 && period < 1e9) || plb_track_length(t) / period > MAX_DASHES)
+        return plb_track_copy(out, t);
+    pattern p = {.it = it, .out = out, .style = t->style, .factor = factor, .key = random_key(o->seed, hash_track(t), PURPOSE_DASH)};
     set_at(&p, t->start + it->dash_offset * factor, period);
-    track dash = {.style = t->style};
-    bool ok = (p.k & 1) || push(&dash, t->points.v[0].at, false, err);
-    for (size_t i = 1; ok && i < t->points.n; i++)
-        ok = walk(&p, &dash, t->points.v[i - 1], t->points.v[i], sink, closure, err);
-    point last = point_sub(t->points.v[t->points.n - 1].at, t->points.v[t->points.n - 2].at);
-    ok = ok && flush(&dash, last, sink, closure, err);
-    array_free(&dash.points);
+    bool ok = (p.k & 1) || push(&p, t->v[0].at, false);
+    for (size_t i = 1; ok && i < t->n; i++)
+        ok = walk(&p, t->v[i - 1], t->v[i]);
+    return ok && end_dash(&p, point_sub(t->v[t->n - 1].at, t->v[t->n - 2].at));
+}
+
+/* A point is left to the passes of a wide line; else a cap makes it a dot. */
+static bool add_dot(const item *it, const track *t, const plan_options *o, track_list *out)
+{
+    if (plb_is_wide(it, o))
+        return plb_track_copy(out, t);
+    point at = t->v[0].at;
+    track_point ends[2] = {{{at.x - DOT_MM / 2, at.y}, false}, {{at.x + DOT_MM / 2, at.y}, false}};
+    track dot = {.v = ends, .n = 2, .style = t->style};
+    return it->cap == LINE_CAP_BUTT || plb_track_copy(out, &dot);
+}
+
+bool plb_plan_dash(const item *it, const track_list *in, const plan_options *o, track_list *out, error *err)
+{
+    bool ok = true;
+    for (size_t i = 0; ok && i < in->tracks.n; i++) {
+        track t = plb_track_at(in, i);
+        ok = (t.n == 1 ? add_dot(it, &t, o, out) : add_dashes(it, &t, o, out)) || plb_fail_memory(err);
+    }
     return ok;
 }

@@ -27,10 +27,10 @@ static point left_of(point a, point b)
 /* The point number k of `t` moved aside by `d`, in the mitre of its two segments. */
 static point aside(const track *t, size_t k, double d)
 {
-    size_t n = t->points.n, last = n - 1;
-    point at = t->points.v[k].at;
+    size_t n = t->n, last = n - 1;
+    point at = t->v[k].at;
     size_t before = k > 0 ? k - 1 : t->closed ? last - 1 : 0, after = k < last ? k + 1 : t->closed ? 1 : last;
-    point in = left_of(t->points.v[before].at, at), out = left_of(at, t->points.v[after].at);
+    point in = left_of(t->v[before].at, at), out = left_of(at, t->v[after].at);
     if (before == k)
         in = out;
     if (after == k)
@@ -43,43 +43,33 @@ static point aside(const track *t, size_t k, double d)
 /* Near a sharp bend the inner side runs backwards: such points are left out. */
 static bool runs_forward(const track *t, size_t k, point from, point to)
 {
-    point along = point_sub(t->points.v[k].at, t->points.v[k - 1].at);
+    point along = point_sub(t->v[k].at, t->v[k - 1].at);
     return point_dot(along, point_sub(to, from)) > 0;
 }
 
-static bool push(track *pass, point at, bool corner)
+/* Moves both ends of the track begun last outward by `more` mm. */
+static void extend(track_list *out, double more)
 {
-    size_t n = pass->points.n;
-    track_point p = {at, corner};
-    return (n && plb_point_distance(pass->points.v[n - 1].at, at) < SAME_POINT_MM) || array_push(&pass->points, p);
-}
-
-/* Moves both ends outward by `more` mm. */
-static void extend(track *pass, double more)
-{
-    size_t n = pass->points.n;
+    size_t n = track_last(out)->n;
     if (n < 2 || more <= 0)
         return;
-    track_point *v = pass->points.v;
+    track_point *v = track_last_points(out);
     point first = left_of(v[1].at, v[0].at), last = left_of(v[n - 2].at, v[n - 1].at);
     v[0].at = point_add(v[0].at, (point){-first.y * more, first.x * more});
     v[n - 1].at = point_add(v[n - 1].at, (point){-last.y * more, last.x * more});
 }
 
-static bool build_pass(const track *t, double d, track *pass)
+static bool build_pass(const track *t, double d, stroke_kind kind, track_list *out)
 {
-    size_t n = t->points.n;
-    pass->points.n = 0;
-    pass->closed = t->closed;
-    bool ok = true;
-    for (size_t k = 0; ok && k < n; k++) {
+    bool ok = plb_track_begin(out, &(track){.closed = t->closed, .style = {1, t->style.colour, kind}});
+    for (size_t k = 0; ok && k < t->n; k++) {
         point at = aside(t, k, d);
-        size_t m = pass->points.n;
-        if (m == 0 || k + 1 == n || runs_forward(t, k, pass->points.v[m - 1].at, at))
-            ok = push(pass, at, t->points.v[k].corner);
+        bool begins = track_last(out)->n == 0;
+        if (begins || k + 1 == t->n || runs_forward(t, k, out->points.v[out->points.n - 1].at, at))
+            ok = plb_track_push(out, at, t->v[k].corner);
     }
-    if (ok && t->closed && pass->points.n)
-        pass->points.v[pass->points.n - 1].at = pass->points.v[0].at;
+    if (ok && t->closed && track_last(out)->n)
+        out->points.v[out->points.n - 1].at = track_last_points(out)[0].at;
     return ok;
 }
 
@@ -94,39 +84,38 @@ static double cap_reach(const item *it, double radius, double d)
 /* A track of one point is a dot; its passes go across the page. */
 static track stretch_dot(const track *t, track_point ends[2])
 {
-    point at = t->points.v[0].at;
+    point at = t->v[0].at;
     ends[0] = (track_point){{at.x - SAME_POINT_MM, at.y}, false};
     ends[1] = (track_point){{at.x + SAME_POINT_MM, at.y}, false};
-    return (track){.points = {ends, 2, 2}, .style = t->style};
+    return (track){.v = ends, .n = 2, .style = t->style};
 }
 
 static uint64_t hash_track(const track *t)
 {
     uint64_t h = 0;
-    for (size_t i = 0; i < t->points.n; i++)
-        h = random_fold(h, llround(t->points.v[i].at.x * 1000), llround(t->points.v[i].at.y * 1000));
+    for (size_t i = 0; i < t->n; i++)
+        h = random_fold(h, llround(t->v[i].at.x * 1000), llround(t->v[i].at.y * 1000));
     return h;
 }
 
-bool plb_plan_passes(const item *it, const track *t, const plan_options *o, track_sink sink, void *closure, error *err)
+bool plb_plan_passes(const item *it, const track *t, const plan_options *o, track_list *out, error *err)
 {
     track_point ends[2];
-    track centre = t->points.n == 1 ? stretch_dot(t, ends) : *t, pass = {.style = t->style};
-    double room = it->width - o->pencil_width, dark = 1 - plb_paint_lightness(it->paint);
+    track centre = t->n == 1 ? stretch_dot(t, ends) : *t;
+    double breadth = it->width - o->pencil_width, dark = 1 - plb_paint_lightness(it->paint);
     double apart = o->pencil_width * fmin(CLOSEST_WIDTHS / fmax(dark, 0.01), FARTHEST_WIDTHS);
-    double gaps = fmin(ceil(room / apart), MAX_PASSES);
+    int gaps = (int)fmin(ceil(breadth / apart), MAX_PASSES);
     uint64_t key = random_key(o->seed, hash_track(t), PURPOSE_PASS);
     bool ok = true;
-    pass.style.pressure = 1;
-    for (int i = 0; ok && i <= (int)gaps; i++) {
-        double stray = i == 0 || i == (int)gaps ? 0 : (random_unit(key, (uint64_t)i) - 0.5) * 2 * UNEVEN;
-        double d = (i + stray) / gaps * room - room / 2;
-        ok = build_pass(&centre, d, &pass) || plb_fail_memory(err);
+    for (int i = 0; ok && i <= gaps; i++) {
+        bool is_edge = i == 0 || i == gaps;
+        double stray = is_edge ? 0 : (random_unit(key, (uint64_t)i) - 0.5) * 2 * UNEVEN;
+        double d = (i + stray) / gaps * breadth - breadth / 2;
+        ok = build_pass(&centre, d, is_edge ? STROKE_LINE : STROKE_HATCH, out) || plb_fail_memory(err);
         if (ok && !t->closed)
-            extend(&pass, cap_reach(it, room / 2, d));
-        pass.style.kind = i == 0 || i == (int)gaps ? STROKE_LINE : STROKE_HATCH;
-        ok = ok && (pass.points.n < 2 || sink(closure, &pass));
+            extend(out, cap_reach(it, breadth / 2, d));
+        if (ok && track_last(out)->n < 2)
+            plb_track_drop(out);
     }
-    array_free(&pass.points);
     return ok;
 }

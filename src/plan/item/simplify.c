@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * Plan, before corners: what is finer than the pencil is not drawn. Where corner follows corner closer than the point is
+ * Plan, one item, before corners: what is finer than the pencil is not drawn. Where corner follows corner closer than the point is
  * wide, as on coasts and torn edges, a hand makes one calm movement along their mean course: the line is sampled evenly
  * by its length and smoothed by binomial weights; the run's ends stay.
  */
-#include "plan/track.h"
+#include "plan/item/stages.h"
 
 #include <math.h>
 
@@ -20,14 +20,20 @@ static const double weights[SIDE + 1] = {12870, 11440, 8008, 4368, 1820, 560, 12
 typedef struct {
     const track *t;
     double width;
-    track made;
+    track_list *out;
     ARRAY(point) samples;
-} calmer;
+} simplifier;
+
+static bool add(simplifier *c, track_point p)
+{
+    track_last(c->out)->n++;
+    return array_push(&c->out->points, p);
+}
 
 /* Samples of the points first to last, at even distances of about a part of a width. */
-static bool sample(calmer *c, size_t first, size_t last)
+static bool sample(simplifier *c, size_t first, size_t last)
 {
-    const track_point *v = c->t->points.v;
+    const track_point *v = c->t->v;
     double length = 0;
     for (size_t i = first; i < last; i++)
         length += plb_point_distance(v[i].at, v[i + 1].at);
@@ -48,7 +54,7 @@ static bool sample(calmer *c, size_t first, size_t last)
 }
 
 /* Sample k; beyond an end what lies within, turned about the end. */
-static point sample_at(const calmer *c, long k)
+static point sample_at(const simplifier *c, long k)
 {
     long last = (long)c->samples.n - 1;
     long mirror = k < 0 ? -k : k > last ? 2 * last - k : k;
@@ -58,7 +64,7 @@ static point sample_at(const calmer *c, long k)
     return point_sub(point_scale(c->samples.v[k < 0 ? 0 : last], 2), p);
 }
 
-static bool smooth_run(calmer *c, size_t first, size_t last)
+static bool smooth_run(simplifier *c, size_t first, size_t last)
 {
     bool ok = sample(c, first, last);
     for (long k = 1; ok && k + 1 < (long)c->samples.n; k++) {
@@ -66,23 +72,23 @@ static bool smooth_run(calmer *c, size_t first, size_t last)
         for (long side = 1; side <= SIDE; side++)
             sum = point_add(sum, point_scale(point_add(sample_at(c, k - side), sample_at(c, k + side)), weights[side] / 65536));
         track_point p = {sum, false};
-        ok = array_push(&c->made.points, p);
+        ok = add(c, p);
     }
-    return ok && array_push(&c->made.points, c->t->points.v[last]);
+    return ok && add(c, c->t->v[last]);
 }
 
 /* The last corner of the crowded run that begins at corner `first`; how many it has in *corners. */
-static size_t end_of_run(const calmer *c, size_t first, size_t *corners)
+static size_t end_of_run(const simplifier *c, size_t first, size_t *corners)
 {
     const track *t = c->t;
     size_t last = first;
     double since = 0;
     *corners = 1;
-    for (size_t i = first + 1; i < t->points.n; i++) {
-        since += plb_point_distance(t->points.v[i - 1].at, t->points.v[i].at);
+    for (size_t i = first + 1; i < t->n; i++) {
+        since += plb_point_distance(t->v[i - 1].at, t->v[i].at);
         if (since > CROWDED_WIDTHS * c->width)
             break;
-        if (!t->points.v[i].corner)
+        if (!t->v[i].corner)
             continue;
         last = i;
         since = 0;
@@ -91,19 +97,19 @@ static size_t end_of_run(const calmer *c, size_t first, size_t *corners)
     return last;
 }
 
-static bool copy(calmer *c)
+static bool copy(simplifier *c)
 {
     const track *t = c->t;
-    bool ok = array_push(&c->made.points, t->points.v[0]);
-    for (size_t i = 0; ok && i + 1 < t->points.n;) {
-        size_t corners = 0, last = t->points.v[i].corner ? end_of_run(c, i, &corners) : i;
+    bool ok = add(c, t->v[0]);
+    for (size_t i = 0; ok && i + 1 < t->n;) {
+        size_t corners = 0, last = t->v[i].corner ? end_of_run(c, i, &corners) : i;
         if (corners < MIN_CORNERS && last == i)
             last = i + 1;
         if (corners >= MIN_CORNERS)
             ok = smooth_run(c, i, last);
         else
             for (size_t k = i + 1; ok && k <= last; k++)
-                ok = array_push(&c->made.points, t->points.v[k]);
+                ok = add(c, t->v[k]);
         i = last;
     }
     return ok;
@@ -112,19 +118,27 @@ static bool copy(calmer *c)
 static size_t count_corners(const track *t)
 {
     size_t n = 0;
-    for (size_t i = 0; i < t->points.n; i++)
-        n += t->points.v[i].corner;
+    for (size_t i = 0; i < t->n; i++)
+        n += t->v[i].corner;
     return n;
 }
 
-bool plb_plan_simplify(const track *t, double width, track_sink sink, void *closure, error *err)
+static bool simplify(simplifier *c, const track *t)
 {
-    if (count_corners(t) < MIN_CORNERS)
-        return sink(closure, t);
-    calmer c = {.t = t, .width = width, .made = {.closed = t->closed, .corner_first = t->corner_first, .corner_last = t->corner_last, .style = t->style, .start = t->start}};
-    bool ok = copy(&c) || plb_fail_memory(err);
-    ok = ok && sink(closure, &c.made);
-    array_free(&c.made.points);
+    if (t->style.kind != STROKE_LINE || count_corners(t) < MIN_CORNERS)
+        return plb_track_copy(c->out, t);
+    c->t = t;
+    return plb_track_begin(c->out, t) && copy(c);
+}
+
+bool plb_plan_simplify(const track_list *in, double width, track_list *out, error *err)
+{
+    simplifier c = {.width = width, .out = out};
+    bool ok = true;
+    for (size_t i = 0; ok && i < in->tracks.n; i++) {
+        track t = plb_track_at(in, i);
+        ok = simplify(&c, &t) || plb_fail_memory(err);
+    }
     array_free(&c.samples);
     return ok;
 }

@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Wide lines: see simd_clones.h. The area is a chain of quadrilaterals, one to a segment, all of the same turn so that the
+ * Wide lines: see wide.h. The area is a chain of quadrilaterals, one to a segment, all of the same turn so that the
  * nonzero rule joins them. Where the line turns a little they meet in a mitre, at corners a disc fills the gap.
  */
 #include "plan/item/wide.h"
+
+#include "plan/shape/flatten.h"
 
 #include <math.h>
 
@@ -59,14 +61,14 @@ static bool is_mitred(point in, point out)
 /* Point number k of the track, around a closed one: 0 <= k + n. */
 static point at(const track *t, long k)
 {
-    long n = (long)t->points.n - (t->closed ? 1 : 0);
-    return t->points.v[(k + n) % n].at;
+    long n = (long)t->n - (t->closed ? 1 : 0);
+    return t->v[(k + n) % n].at;
 }
 
 /* The quadrilateral of the segment from point k, and the discs that it needs at its ends. */
 static bool add_segment(widener *w, const track *t, long k)
 {
-    long last = (long)t->points.n - 2;
+    long last = (long)t->n - 2;
     point a = at(t, k), b = at(t, k + 1), d = unit(a, b);
     bool is_first = k == 0 && !t->closed, is_last = k == last && !t->closed;
     point in = is_first ? d : unit(at(t, k - 1), a), out = is_last ? d : unit(b, at(t, k + 2));
@@ -82,13 +84,12 @@ static bool add_segment(widener *w, const track *t, long k)
     return add_polygon(w, quad, 4) && (!disc_a || add_disc(w, a)) && (!is_last || !is_round || add_disc(w, b));
 }
 
-static bool add_track(void *closure, const track *t)
+static bool add_track(widener *w, const track *t)
 {
-    widener *w = closure;
-    if (t->points.n < 2)
-        return w->it->cap == LINE_CAP_BUTT || add_disc(w, t->points.v[0].at);
+    if (t->n < 2)
+        return w->it->cap == LINE_CAP_BUTT || add_disc(w, t->v[0].at);
     bool ok = true;
-    for (size_t k = 0; ok && k + 1 < t->points.n; k++)
+    for (size_t k = 0; ok && k + 1 < t->n; k++)
         ok = add_segment(w, t, (long)k);
     return ok;
 }
@@ -96,5 +97,12 @@ static bool add_track(void *closure, const track *t)
 bool plb_wide_outline(const item *it, path *out, error *err)
 {
     widener w = {it, out, err};
-    return plb_plan_flatten(&it->path, false, add_track, &w, err);
+    track_list lines = {0};
+    bool ok = plb_plan_flatten(&it->path, false, &lines, err);
+    for (size_t i = 0; ok && i < lines.tracks.n; i++) {
+        track t = plb_track_at(&lines, i);
+        ok = add_track(&w, &t);
+    }
+    plb_tracks_free(&lines);
+    return ok;
 }

@@ -12,7 +12,8 @@
  * and `err` when out of memory. */
 bool plb_wide_outline(const item *it, path *out, error *err);
 
-/* Hands on the passes of the track `t` of the wide line `it`: side by side, closer the darker its paint is. */
-bool plb_plan_passes(const item *it, const track *t, const plan_options *o, track_sink sink, void *closure, error *err);
+/* parallel_strokes.c: appends the passes of the track `t` of the wide line `it` to `out`: side by side, closer the darker its paint is.
+ * False and `err` when out of memory. */
+bool plb_plan_passes(const item *it, const track *t, const plan_options *o, track_list *out, error *err);
 
 #endif

@@ -30,14 +30,14 @@
 #define BOLD_PENCILS 1.6     /* broader strokes are made of passes side by side */
 
 typedef struct {
-    const plan_options *how;
+    const plan_options *options;
     double stem;   /* of the whole fill, mm */
     double height; /* of its tallest part: the shorter side of its bounds, mm */
     bool is_bar;   /* one shape of at most four sides */
     float pressure;
     size_t letters; /* parts that are no dots */
-    ARRAY(track) tracks;
-    ARRAY(double) breadths; /* of each track's stroke, mm; 0: the pencil's */
+    track_list strokes;
+    ARRAY(double) breadths; /* of each stroke, mm; 0: the pencil's */
     double breadth;         /* of the part at work */
 } lettering;
 
@@ -66,54 +66,45 @@ static void measure(lettering *l, const letter_parts *parts)
 
 static bool is_thin(const lettering *l, double stem)
 {
-    return stem <= THIN_PENCILS * l->how->pencil_width || (stem <= THIN_MM && l->height <= SMALL_MM && !l->is_bar);
+    return stem <= THIN_PENCILS * l->options->pencil_width || (stem <= THIN_MM && l->height <= SMALL_MM && !l->is_bar);
 }
 
 /* Thin letters are drawn lightly: a light line is a narrow one. */
 static float pressure_of(const lettering *l)
 {
-    double p = 0.6 + 0.4 * l->stem / l->how->pencil_width;
+    double p = 0.6 + 0.4 * l->stem / l->options->pencil_width;
     return (float)fmin(1, fmax(0.7, p));
 }
 
 /* ---- from pen strokes to tracks ---- */
 
-static bool push_point(track *t, point at, bool corner)
+/* Begins a stroke of `breadth` mm. */
+static bool begin_stroke(lettering *l, bool closed, double breadth)
 {
-    track_point p = {at, corner};
-    if (t->points.n && plb_point_distance(t->points.v[t->points.n - 1].at, at) < SAME_POINT_MM)
-        return true;
-    return array_push(&t->points, p);
+    track t = {.closed = closed, .style = {l->pressure, 0, STROKE_LETTER}};
+    return array_push(&l->breadths, breadth) && plb_track_begin(&l->strokes, &t);
 }
 
-static bool add_track(lettering *l, const raster *r, const pen *p, const pen_stroke *s)
+static bool add_stroke(lettering *l, const raster *r, const pen *p, const pen_stroke *s)
 {
-    track t = {.closed = s->closed, .style = {l->pressure, 0, STROKE_LETTER}};
-    bool ok = true;
+    bool ok = begin_stroke(l, s->closed, l->breadth);
     for (size_t i = 0; ok && i < s->n; i++) {
         pen_point at = p->points.v[s->first + i];
-        ok = push_point(&t, point_add(r->origin, point_scale(at.at, r->pixel)), at.corner);
+        ok = plb_track_push(&l->strokes, point_add(r->origin, point_scale(at.at, r->pixel)), at.corner);
     }
-    ok = ok && array_push(&l->breadths, l->breadth) && array_push(&l->tracks, t);
-    if (!ok)
-        array_free(&t.points);
     return ok;
 }
 
 /* The point turns on the spot, in a ring as wide as the dot needs. */
 static bool add_dot(lettering *l, box b)
 {
-    track t = {.closed = true, .style = {l->pressure, 0, STROKE_LETTER}};
     point middle = {(b.x0 + b.x1) / 2, (b.y0 + b.y1) / 2};
-    double radius = fmax((size_of(b) - l->how->pencil_width) / 2, MIN_RING_MM);
-    bool ok = true;
+    double radius = fmax((size_of(b) - l->options->pencil_width) / 2, MIN_RING_MM);
+    bool ok = begin_stroke(l, true, 0);
     for (int i = 0; ok && i <= 12; i++) {
         double a = -PLB_PI / 2 - (i % 12) * PLB_PI / 6;
-        ok = push_point(&t, (point){middle.x + radius * cos(a), middle.y + radius * sin(a)}, false);
+        ok = plb_track_push(&l->strokes, (point){middle.x + radius * cos(a), middle.y + radius * sin(a)}, false);
     }
-    ok = ok && array_push(&l->breadths, 0.0) && array_push(&l->tracks, t);
-    if (!ok)
-        array_free(&t.points);
     return ok;
 }
 
@@ -144,14 +135,10 @@ static bool is_long_bar(const letter_part *part, point *from, point *to)
 
 static bool add_bar(lettering *l, point from, point to, double width)
 {
-    track t = {.style = {l->pressure, 0, STROKE_LETTER}};
-    double off = fmin(NIB_PENCILS * l->how->pencil_width, width) / 2 / plb_point_distance(from, to);
-    bool ok = push_point(&t, point_mix(from, to, off), false) && push_point(&t, point_mix(to, from, off), false) &&
-              array_push(&l->breadths, width) && array_push(&l->tracks, t);
-    if (!ok)
-        array_free(&t.points);
+    double off = fmin(NIB_PENCILS * l->options->pencil_width, width) / 2 / plb_point_distance(from, to);
     l->letters++;
-    return ok;
+    return begin_stroke(l, false, width) && plb_track_push(&l->strokes, point_mix(from, to, off), false) &&
+           plb_track_push(&l->strokes, point_mix(to, from, off), false);
 }
 
 static bool draw_axis(lettering *l, raster *r, double stem, error *err)
@@ -159,11 +146,11 @@ static bool draw_axis(lettering *l, raster *r, double stem, error *err)
     medial m = {0};
     pen p = {0};
     bool ok = plb_medial_thin(r, err) && plb_medial_graph(&m, r, err) &&
-              plb_medial_prune(&m, stem / r->pixel, DETAIL_PENCILS * l->how->pencil_width / r->pixel, err) &&
-              plb_medial_corners(&m, r, err) && plb_medial_strokes(&m, r, NIB_PENCILS * l->how->pencil_width / r->pixel, &p, err) && plb_pen_smooth(&p, stem / r->pixel, err);
+              plb_medial_prune(&m, stem / r->pixel, DETAIL_PENCILS * l->options->pencil_width / r->pixel, err) &&
+              plb_medial_corners(&m, r, err) && plb_medial_strokes(&m, r, NIB_PENCILS * l->options->pencil_width / r->pixel, &p, err) && plb_pen_smooth(&p, stem / r->pixel, err);
     for (size_t i = 0; ok && i < p.strokes.n; i++)
         if (p.strokes.v[i].n > 1)
-            ok = add_track(l, r, &p, &p.strokes.v[i]) || plb_fail_memory(err);
+            ok = add_stroke(l, r, &p, &p.strokes.v[i]) || plb_fail_memory(err);
     plb_medial_free(&m);
     plb_pen_free(&p);
     return ok;
@@ -199,14 +186,14 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
         return false;
     double radius = r.largest * r.pixel;
     bool ok = true, compact = radius > COMPACT * stem && part->perimeter < ROUND * 2 * PLB_PI * stem; /* P^2/A = 2 P / stem */
-    *taken = r.width && is_thin(l, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->how->pencil_width);
+    *taken = r.width && is_thin(l, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->options->pencil_width);
     if (*taken && compact)
-        *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->how->pencil_width);
-    size_t before = l->tracks.n;
+        *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->options->pencil_width);
+    size_t before = l->strokes.tracks.n;
     l->breadth = stem;
     if (*taken && !is_dot(l, part->bounds, compact))
         ok = draw_axis(l, &r, stem, err);
-    if (ok && *taken && l->tracks.n == before) /* of a comma there is a line */
+    if (ok && *taken && l->strokes.tracks.n == before) /* of a comma there is a line */
         ok = add_dot(l, part->bounds) || plb_fail_memory(err);
     l->letters += *taken && !compact;
     plb_raster_free(&r);
@@ -222,64 +209,56 @@ static bool draw_parts(lettering *l, const letter_parts *parts, bool *taken, err
             ok = draw_part(l, &parts->parts.v[i], taken, err);
     if (l->letters == 0)
         for (size_t i = 0; i < parts->parts.n; i++)
-            *taken = *taken && size_of(parts->parts.v[i].bounds) <= LONE_DOT_PENCILS * l->how->pencil_width;
+            *taken = *taken && size_of(parts->parts.v[i].bounds) <= LONE_DOT_PENCILS * l->options->pencil_width;
     return ok;
 }
 
 /* ---- how a hand goes ---- */
 
-static void reverse(track *t)
+static void reverse(track_point *v, size_t n)
 {
-    for (size_t i = 0, k = t->points.n - 1; i < k; i++, k--) {
-        track_point p = t->points.v[i];
-        t->points.v[i] = t->points.v[k];
-        t->points.v[k] = p;
+    for (size_t i = 0, k = n - 1; i < k; i++, k--) {
+        track_point p = v[i];
+        v[i] = v[k];
+        v[k] = p;
     }
 }
 
-static double turning(const track *t)
+static double turning(const track_point *v, size_t n)
 {
     double sum = 0;
-    for (size_t i = 1; i < t->points.n; i++)
-        sum += point_cross(t->points.v[i - 1].at, t->points.v[i].at);
+    for (size_t i = 1; i < n; i++)
+        sum += point_cross(v[i - 1].at, v[i].at);
     return sum; /* > 0: clockwise, as y points down */
 }
 
-/* Downwards, or to the right where it is more level. */
-static void turn_by_hand(track *t)
+/* Downwards, or to the right where the stroke is more level. */
+static void turn_by_hand(track_list *strokes, size_t i)
 {
-    point d = point_sub(t->points.v[t->points.n - 1].at, t->points.v[0].at);
-    if (t->closed ? turning(t) > 0 : d.x + 1.5 * d.y < 0)
-        reverse(t);
+    const track *t = &strokes->tracks.v[i];
+    track_point *v = strokes->points.v + t->first;
+    point d = point_sub(v[t->n - 1].at, v[0].at);
+    if (t->closed ? turning(v, t->n) > 0 : d.x + 1.5 * d.y < 0)
+        reverse(v, t->n);
 }
 
-/* A broad stroke keeps its weight. */
-typedef struct {
-    const stroke_style *style;
-    track_sink sink;
-    void *closure;
-} bold;
-
-static bool send_pass(void *closure, const track *t)
+/* A broad stroke keeps its weight: passes side by side, in the stroke's style. */
+static bool take_stroke(const lettering *l, size_t i, const item *fill, track_list *out, error *err)
 {
-    const bold *b = closure;
-    track touched = *t;
-    touched.style = *b->style;
-    return b->sink(b->closure, &touched);
-}
-
-static bool send_stroke(const lettering *l, size_t i, const item *fill, track_sink sink, void *closure, error *err)
-{
-    const track *t = &l->tracks.v[i];
-    if (l->breadths.v[i] <= BOLD_PENCILS * l->how->pencil_width)
-        return sink(closure, t);
+    track t = plb_track_at(&l->strokes, i);
+    if (l->breadths.v[i] <= BOLD_PENCILS * l->options->pencil_width)
+        return plb_track_copy(out, &t) || plb_fail_memory(err);
     item broad = {.kind = ITEM_STROKE, .paint = fill->paint, .width = l->breadths.v[i], .cap = LINE_CAP_BUTT};
-    return plb_plan_passes(&broad, t, l->how, send_pass, &(bold){&t->style, sink, closure}, err);
+    size_t first = out->tracks.n;
+    bool ok = plb_plan_passes(&broad, &t, l->options, out, err);
+    for (size_t k = first; k < out->tracks.n; k++)
+        out->tracks.v[k].style = t.style;
+    return ok;
 }
 
-bool plb_plan_letter(const item *fill, const plan_options *o, bool *taken, track_sink sink, void *closure, error *err)
+bool plb_plan_letter(const item *fill, const plan_options *o, bool *taken, track_list *out, error *err)
 {
-    lettering l = {.how = o};
+    lettering l = {.options = o};
     letter_parts parts;
     *taken = false;
     if (!plb_letter_split(&parts, fill, err))
@@ -287,13 +266,11 @@ bool plb_plan_letter(const item *fill, const plan_options *o, bool *taken, track
     measure(&l, &parts);
     l.pressure = pressure_of(&l);
     bool ok = draw_parts(&l, &parts, taken, err);
-    for (size_t i = 0; i < l.tracks.n; i++) {
-        turn_by_hand(&l.tracks.v[i]);
-        ok = ok && (!*taken || send_stroke(&l, i, fill, sink, closure, err));
+    for (size_t i = 0; ok && *taken && i < l.strokes.tracks.n; i++) {
+        turn_by_hand(&l.strokes, i);
+        ok = take_stroke(&l, i, fill, out, err);
     }
-    for (size_t i = 0; i < l.tracks.n; i++)
-        array_free(&l.tracks.v[i].points);
-    array_free(&l.tracks);
+    plb_tracks_free(&l.strokes);
     array_free(&l.breadths);
     plb_letter_parts_free(&parts);
     return ok;

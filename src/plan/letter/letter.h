@@ -10,10 +10,9 @@
 #include "plan/plan.h"
 #include "plan/track.h"
 
-/* Sends the strokes of `fill` to `sink`, touch.kind STROKE_LETTER, in mm, corners marked. `*taken` is false, and nothing
- * sent, when the shape is not like lettering: solid, thick or far too large. False when out of memory (with `err`) or when
- * the sink stopped the work. */
-bool plb_plan_letter(const item *fill, const plan_options *o, bool *taken, track_sink sink, void *closure, error *err);
+/* Appends the strokes of `fill` to `out`: of the kind STROKE_LETTER, in mm, corners marked. *taken is false, and nothing
+ * appended, when the shape is not like lettering: solid, thick or far too large. False and `err` when out of memory. */
+bool plb_plan_letter(const item *fill, const plan_options *o, bool *taken, track_list *out, error *err);
 
 /* letter_parts.c: a fill taken apart into what does not touch: each part is an outer contour with its holes and whatever
  * overlaps with it. Parts are in the order in which they were drawn. */

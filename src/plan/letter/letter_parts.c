@@ -6,6 +6,8 @@
  */
 #include "plan/letter/letter.h"
 
+#include "plan/shape/flatten.h"
+
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,10 +32,9 @@ typedef struct {
     size_t tests;
 } sheet;
 
-static bool add_contour(void *closure, const track *t)
+static bool add_contour(sheet *s, const track *t)
 {
-    sheet *s = closure;
-    size_t n = t->closed ? t->points.n - 1 : t->points.n;
+    size_t n = t->closed ? t->n - 1 : t->n;
     if (n < 3 || s->too_much)
         return true;
     s->too_much = n > MAX_CONTOUR_POINTS || s->points.n + n > MAX_POINTS;
@@ -41,14 +42,26 @@ static bool add_contour(void *closure, const track *t)
     if (!array_reserve(&s->points, n) || !array_reserve(&s->contours, 1))
         return false;
     for (size_t i = 0; i < n; i++) {
-        point p = t->points.v[i].at, q = t->points.v[i + 1 < n ? i + 1 : 0].at;
+        point p = t->v[i].at, q = t->v[i + 1 < n ? i + 1 : 0].at;
         s->points.v[s->points.n++] = p;
         plb_box_add(&c.bounds, p);
-        c.area += point_cross(point_sub(p, t->points.v[0].at), point_sub(q, t->points.v[0].at)) / 2;
+        c.area += point_cross(point_sub(p, t->v[0].at), point_sub(q, t->v[0].at)) / 2;
         c.perimeter += plb_point_distance(p, q);
     }
     s->contours.v[s->contours.n++] = c;
     return true;
+}
+
+static bool add_contours(sheet *s, const path *p, error *err)
+{
+    track_list lines = {0};
+    bool ok = plb_plan_flatten(p, true, &lines, err);
+    for (size_t i = 0; ok && i < lines.tracks.n; i++) {
+        track t = plb_track_at(&lines, i);
+        ok = add_contour(s, &t) || plb_fail_memory(err);
+    }
+    plb_tracks_free(&lines);
+    return ok;
 }
 
 static int root_of(sheet *s, int i)
@@ -196,7 +209,7 @@ bool plb_letter_split(letter_parts *p, const item *fill, error *err)
 {
     sheet s = {0};
     memset(p, 0, sizeof *p);
-    bool ok = fill->path.points.n > MAX_POINTS || plb_plan_flatten(&fill->path, true, add_contour, &s, err);
+    bool ok = fill->path.points.n > MAX_POINTS || add_contours(&s, &fill->path, err);
     if (ok && !s.too_much)
         ok = relate_all(&s);
     if (ok && !s.too_much && fill->even_odd)

@@ -5,7 +5,7 @@
  */
 #include "plan/shape/region.h"
 
-#include "plan/track.h"
+#include "plan/shape/flatten.h"
 
 #include <math.h>
 #include <string.h>
@@ -24,19 +24,30 @@ struct region {
     uint32_t *listed;
 };
 
-static bool add_edges(void *closure, const track *t)
+/* Fills and clips close their subpaths. */
+static bool add_edges(region *r, const track *t)
 {
-    region *r = closure;
-    size_t n = t->points.n;
-    if (!array_reserve(&r->edges, n))
+    if (!array_reserve(&r->edges, t->n))
         return false;
-    for (size_t i = 0; i < n; i++) { /* fills and clips close their subpaths */
-        edge e = {t->points.v[i].at, t->points.v[(i + 1) % n].at};
+    for (size_t i = 0; i < t->n; i++) {
+        edge e = {t->v[i].at, t->v[(i + 1) % t->n].at};
         plb_box_add(&r->bounds, e.a);
         if (e.a.y != e.b.y || e.a.x != e.b.x)
             r->edges.v[r->edges.n++] = e;
     }
     return true;
+}
+
+static bool find_edges(region *r, const path *p, error *err)
+{
+    track_list lines = {0};
+    bool ok = plb_plan_flatten(p, false, &lines, err);
+    for (size_t i = 0; ok && i < lines.tracks.n; i++) {
+        track t = plb_track_at(&lines, i);
+        ok = add_edges(r, &t);
+    }
+    plb_tracks_free(&lines);
+    return ok;
 }
 
 static size_t band_of(const region *r, double y)
@@ -130,7 +141,7 @@ region *plb_region_new(const path *p, bool even_odd, error *err)
     }
     r->even_odd = even_odd;
     r->bounds = BOX_EMPTY;
-    if (!plb_plan_flatten(p, false, add_edges, r, err) || !sort_into_bands(r)) {
+    if (!find_edges(r, p, err) || !sort_into_bands(r)) {
         plb_fail_memory(err);
         plb_region_free(r);
         return NULL;

@@ -2,65 +2,58 @@
  *
  * Cutting tracks: see trim.h. Used by clips and by what hides.
  */
-#include "base/sort.h"
 #include "plan/shape/trim.h"
+
+#include "base/sort.h"
 
 #include <stdlib.h>
 
 /* Pieces shorter than this that the cut leaves are dropped (chosen by eye: less than a touch of the point). */
 #define SHORTEST_PIECE_MM 0.02
 
-/* What is being cut: the piece under construction and where it goes. */
+/* A track on the way through the cut, and the piece under construction, the last of `out` while it is open. */
 typedef struct {
-    const cut_rule *rule;
-    track piece;
+    const trim_rule *rule;
+    track_list *out;
+    bool is_open;
+    stroke_style style;
     crossings at; /* of the segment at work */
     double done;  /* arc length reached, mm */
     bool lifted;  /* something was not seen */
-    track_sink sink;
-    void *closure;
     error *err;
 } cutter;
 
-box plb_track_bounds(const track *t)
+/* Ends the piece; a scrap is taken out again. */
+static void end_piece(cutter *k)
 {
-    box b = BOX_EMPTY;
-    for (size_t i = 0; i < t->points.n; i++)
-        plb_box_add(&b, t->points.v[i].at);
-    return b;
-}
-
-static bool flush(cutter *k)
-{
-    size_t n = k->piece.points.n;
-    bool ok = true;
-    if (n > 1 && (n > 2 || plb_point_distance(k->piece.points.v[0].at, k->piece.points.v[1].at) >= SHORTEST_PIECE_MM)) {
-        k->piece.points.v[n - 1].corner = false;
-        ok = k->sink(k->closure, &k->piece);
-    }
-    k->piece.points.n = 0;
-    return ok;
+    const track *piece = track_last(k->out);
+    track_point *v = track_last_points(k->out);
+    size_t n = piece->n;
+    k->is_open = false;
+    if (n > 1 && (n > 2 || plb_point_distance(v[0].at, v[1].at) >= SHORTEST_PIECE_MM))
+        v[n - 1].corner = false;
+    else
+        plb_track_drop(k->out);
 }
 
 static bool push(cutter *k, point at, bool corner)
 {
-    size_t n = k->piece.points.n;
-    if (n && plb_point_distance(k->piece.points.v[n - 1].at, at) < SAME_POINT_MM)
-        return true;
-    track_point p = {at, corner && n > 0};
-    if (n == 0)
-        k->piece.start = k->done;
-    return array_push(&k->piece.points, p) || plb_fail_memory(k->err);
+    bool begins = !k->is_open;
+    bool ok = (!begins || plb_track_begin(k->out, &(track){.style = k->style, .start = k->done})) && plb_track_push(k->out, at, corner && !begins);
+    k->is_open = ok;
+    return ok || plb_fail_memory(k->err);
 }
 
 /* The part of a segment from parameter `before` to `t`, which ends at k->done + `length`. */
 static bool add_part(cutter *k, track_point from, track_point to, double before, double t, double length)
 {
     bool seen = k->rule->sees(k->rule->of, point_mix(from.at, to.at, (before + t) / 2)), ok = true;
-    if (seen && k->piece.points.n == 0)
+    if (seen && !k->is_open)
         ok = push(k, point_mix(from.at, to.at, before), false);
-    if (!seen && k->piece.points.n)
-        ok = (before == 0 || push(k, point_mix(from.at, to.at, before), false)) && flush(k);
+    if (!seen && k->is_open) {
+        ok = before == 0 || push(k, point_mix(from.at, to.at, before), false);
+        end_piece(k);
+    }
     k->done += length;
     k->lifted = k->lifted || !seen;
     return ok && (!seen || t < 1 || push(k, to.at, to.corner));
@@ -85,16 +78,26 @@ static bool cut_segment(cutter *k, track_point from, track_point to)
     return ok;
 }
 
-bool plb_plan_cut(const cut_rule *rule, const track *t, track_sink sink, void *closure, error *err)
+bool plb_plan_trim(const trim_rule *rule, const track *t, track_list *out, bool *is_part, error *err)
 {
-    if (t->points.n == 1)
-        return !rule->sees(rule->of, t->points.v[0].at) || sink(closure, t);
-    cutter k = {.rule = rule, .piece.style = t->style, .done = t->start, .sink = sink, .closure = closure, .err = err};
+    if (t->n == 1 && !rule->sees(rule->of, t->v[0].at))
+        return *is_part = true;
+    if (t->n == 1)
+        return plb_track_copy(out, t) || plb_fail_memory(err);
+    cutter k = {.rule = rule, .out = out, .style = t->style, .done = t->start, .err = err};
+    size_t tracks = out->tracks.n, points = out->points.n;
     bool ok = true;
-    for (size_t i = 1; ok && i < t->points.n; i++)
-        ok = cut_segment(&k, t->points.v[i - 1], t->points.v[i]);
-    ok = ok && (k.lifted ? flush(&k) : sink(closure, t)); /* whole, it stays closed if it was */
+    for (size_t i = 1; ok && i < t->n; i++)
+        ok = cut_segment(&k, t->v[i - 1], t->v[i]);
+    if (ok && k.is_open)
+        end_piece(&k);
+    if (ok && k.lifted)
+        *is_part = true;
+    if (ok && !k.lifted) { /* whole, it stays closed if it was */
+        out->tracks.n = tracks;
+        out->points.n = points;
+        ok = plb_track_copy(out, t) || plb_fail_memory(err);
+    }
     array_free(&k.at);
-    array_free(&k.piece.points);
     return ok;
 }

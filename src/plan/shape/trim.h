@@ -14,10 +14,10 @@ typedef struct {
     bool (*cross)(const void *of, point from, point to, crossings *at);
     bool (*sees)(const void *of, point p);
     const void *of;
-} cut_rule;
+} trim_rule;
 
-/* Hands on the parts of `t` that are seen; untouched tracks go on as they are. */
-bool plb_plan_cut(const cut_rule *rule, const track *t, track_sink sink, void *closure, error *err);
-box plb_track_bounds(const track *t);
+/* Appends the parts of `t` that are seen to `out`: `t` itself, all its ends as they were, when all is seen; else *is_part becomes true.
+ * False and `err` when out of memory. */
+bool plb_plan_trim(const trim_rule *rule, const track *t, track_list *out, bool *is_part, error *err);
 
 #endif

@@ -6,7 +6,7 @@
  */
 #include "plan/strokes/pass.h"
 
-#include "plan/track.h"
+#include "plan/shape/flatten.h"
 
 #include <math.h>
 

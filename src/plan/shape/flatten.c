@@ -1,22 +1,26 @@
 /* SPDX-License-Identifier: MIT
  *
- * Plan, step 1: paths become polylines. Where the path itself has a corner it is marked; the vertices that
+ * Plan, step 1: paths become polylines; see flatten.h. Where the path itself has a corner it is marked; the vertices that
  * flattening puts into a curve never are.
  */
-#include "plan/track.h"
+#include "plan/shape/flatten.h"
 
 #include <math.h>
 
 typedef struct {
-    track t;
+    track_list *out;
+    size_t n;            /* points of the subpath so far; 0: none is begun */
     point start;         /* of the subpath */
     point first_tangent; /* leaving the start; zero until known */
     point last_tangent;  /* arriving at the last point */
     bool close_all;
-    track_sink sink;
-    void *closure;
     error *err;
 } flattener;
+
+static point last_point(const flattener *f)
+{
+    return f->out->points.v[f->out->points.n - 1].at;
+}
 
 static bool is_zero(point v)
 {
@@ -33,10 +37,9 @@ static bool turns_sharply(point in, point out)
 
 static bool add_point(flattener *f, point to)
 {
-    if (f->t.points.n && plb_point_distance(f->t.points.v[f->t.points.n - 1].at, to) < SAME_POINT_MM)
-        return true;
-    track_point p = {to, false};
-    return array_push(&f->t.points, p) || plb_fail_memory(f->err);
+    bool ok = (f->n || plb_track_begin(f->out, &(track){.style = STROKE_STYLE_USUAL})) && plb_track_push(f->out, to, false);
+    f->n = ok ? track_last(f->out)->n : 0;
+    return ok || plb_fail_memory(f->err);
 }
 
 /* A piece leaves the last point along `out`: is there a corner? */
@@ -47,12 +50,12 @@ static void join(flattener *f, point out)
     if (is_zero(f->first_tangent))
         f->first_tangent = out;
     else if (turns_sharply(f->last_tangent, out))
-        f->t.points.v[f->t.points.n - 1].corner = true;
+        f->out->points.v[f->out->points.n - 1].corner = true;
 }
 
 static bool add_line(flattener *f, point to)
 {
-    point from = f->t.points.v[f->t.points.n - 1].at;
+    point from = last_point(f);
     if (plb_point_distance(from, to) < SAME_POINT_MM)
         return true;
     point along = point_sub(to, from);
@@ -90,7 +93,7 @@ static point first_nonzero(point a, point b, point c)
 
 static bool add_curve(flattener *f, point c1, point c2, point to)
 {
-    point from = f->t.points.v[f->t.points.n - 1].at;
+    point from = last_point(f);
     point a = point_sub(c1, from), b = point_sub(c2, c1), c = point_sub(to, c2);
     if (plb_point_length(a) + plb_point_length(b) + plb_point_length(c) < SAME_POINT_MM)
         return true;
@@ -109,18 +112,17 @@ static bool add_curve(flattener *f, point c1, point c2, point to)
 
 static bool finish(flattener *f, bool close)
 {
-    bool ok = true;
-    if ((close || f->close_all) && f->t.points.n)
-        ok = add_line(f, f->start);
-    size_t n = f->t.points.n;
-    f->t.closed = n > 2 && plb_point_distance(f->t.points.v[0].at, f->t.points.v[n - 1].at) < SAME_POINT_MM;
-    if (f->t.closed) {
-        f->t.points.v[n - 1].at = f->t.points.v[0].at;
-        f->t.points.v[0].corner = f->t.points.v[n - 1].corner = turns_sharply(f->last_tangent, f->first_tangent);
+    if (f->n == 0)
+        return true;
+    bool ok = !(close || f->close_all) || add_line(f, f->start);
+    track *t = track_last(f->out);
+    track_point *v = track_last_points(f->out);
+    t->closed = t->n > 2 && plb_point_distance(v[0].at, v[t->n - 1].at) < SAME_POINT_MM;
+    if (t->closed) {
+        v[t->n - 1].at = v[0].at;
+        v[0].corner = v[t->n - 1].corner = turns_sharply(f->last_tangent, f->first_tangent);
     }
-    ok = ok && (n == 0 || f->sink(f->closure, &f->t));
-    f->t.points.n = 0;
-    f->t.closed = false;
+    f->n = 0;
     f->first_tangent = f->last_tangent = (point){0, 0};
     return ok;
 }
@@ -131,21 +133,13 @@ static bool begin(flattener *f, point at)
     return add_point(f, at);
 }
 
-double plb_track_length(const track *t)
+bool plb_plan_flatten(const path *p, bool close, track_list *out, error *err)
 {
-    double sum = 0;
-    for (size_t i = 1; i < t->points.n; i++)
-        sum += plb_point_distance(t->points.v[i - 1].at, t->points.v[i].at);
-    return sum;
-}
-
-bool plb_plan_flatten(const path *p, bool close, track_sink sink, void *closure, error *err)
-{
-    flattener f = {.close_all = close, .sink = sink, .closure = closure, .err = err};
+    flattener f = {.out = out, .close_all = close, .err = err};
     const point *at = p->points.v;
     bool ok = true;
     for (size_t i = 0; ok && i < p->ops.n; i++) {
-        if (p->ops.v[i] != PATH_MOVE && f.t.points.n == 0)
+        if (p->ops.v[i] != PATH_MOVE && f.n == 0)
             ok = begin(&f, f.start); /* drawing goes on after a close */
         switch (ok ? p->ops.v[i] : PATH_CLOSE + 1) {
         case PATH_MOVE: ok = finish(&f, false) && begin(&f, at[0]); at += 1; break;
@@ -156,7 +150,7 @@ bool plb_plan_flatten(const path *p, bool close, track_sink sink, void *closure,
         }
     }
     bool trailing_move = p->ops.n && p->ops.v[p->ops.n - 1] == PATH_MOVE;
-    ok = ok && (trailing_move || finish(&f, false)); /* a move that nothing follows draws nothing */
-    array_free(&f.t.points);
-    return ok;
+    if (ok && trailing_move && f.n)
+        plb_track_drop(out); /* a move that nothing follows draws nothing */
+    return ok && (trailing_move || finish(&f, false));
 }

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Plan, one item, marks: see marks.h.
+ *
+ *     a line        its subpaths
+ *     a wide line   its dashes, each covered by passes side by side
+ *     a fill        letters, if it is like lettering; else hatching and, where that does not follow the edge, its outline
+ */
+#include "plan/marks.h"
+
+#include "plan/item/stages.h"
+#include "plan/item/weight.h"
+#include "plan/item/wide.h"
+#include "plan/letter/letter.h"
+#include "plan/shape/flatten.h"
+
+static stroke_style style_of(const plan_context *p, const item *it)
+{
+    return plb_style_of(it, p->options, p->usual_width);
+}
+
+static void set_style(track_list *l, size_t first, stroke_style style)
+{
+    for (size_t k = first; k < l->tracks.n; k++)
+        l->tracks.v[k].style = style;
+}
+
+static bool add_line(const plan_context *p, const item *it, track_list *out, error *err)
+{
+    bool ok = plb_plan_flatten(&it->path, false, out, err);
+    set_style(out, 0, style_of(p, it));
+    return ok;
+}
+
+static bool add_wide_line(const plan_context *p, const item *it, track_list *out, error *err)
+{
+    track_list lines = {0}, dashes = {0};
+    bool ok = plb_plan_flatten(&it->path, false, &lines, err) && plb_plan_dash(it, &lines, p->options, &dashes, err);
+    set_style(&dashes, 0, style_of(p, it));
+    for (size_t k = 0; ok && k < dashes.tracks.n; k++) {
+        track t = plb_track_at(&dashes, k);
+        ok = plb_plan_passes(it, &t, p->options, out, err);
+    }
+    plb_tracks_free(&lines);
+    plb_tracks_free(&dashes);
+    return ok;
+}
+
+/* Where shapes of one paint lie upon each other their outlines would show what is not to be seen. */
+static bool add_outline(const plan_context *p, size_t i, track_list *out, error *err)
+{
+    const item *it = &p->list->items.v[i];
+    track_list lines = {0};
+    size_t first = out->tracks.n;
+    bool ok = plb_plan_flatten(&it->path, true, &lines, err) && plb_plan_fuse(p->cover, i, &lines, out, err);
+    set_style(out, first, style_of(p, it));
+    plb_tracks_free(&lines);
+    return ok;
+}
+
+/* A shape that is filled and stroked is outlined once, by its stroke. */
+static bool is_outlined_by(const item *fill, const item *other)
+{
+    return fill->kind == ITEM_FILL && other->kind == ITEM_STROKE && plb_leaves_mark(other) && plb_path_equal(&fill->path, &other->path);
+}
+
+/* Lettering has its own pressure; the paint's comes on top. The outline of a letter, stroked after it, is not drawn, too; one that was
+ * stroked before it is all that is drawn. */
+static bool add_letters(const plan_context *p, size_t i, bool outlined, bool *taken, track_list *out, bool *stands_for_next, error *err)
+{
+    const item *it = &p->list->items.v[i];
+    text_style text = p->options->text;
+    stroke_style style = style_of(p, it);
+    if (!plb_plan_letter(it, p->options, taken, out, err))
+        return false;
+    for (size_t k = 0; k < out->tracks.n; k++) {
+        out->tracks.v[k].style.pressure *= style.pressure;
+        out->tracks.v[k].style.colour = style.colour;
+    }
+    if (text != TEXT_HAND)
+        plb_tracks_clear(out);
+    *stands_for_next = *taken && outlined && text != TEXT_OUTLINE; /* the stroke is the next item */
+    return !*taken || text != TEXT_OUTLINE || outlined || add_outline(p, i, out, err);
+}
+
+static bool add_fill(const plan_context *p, size_t i, track_list *out, bool *stands_for_next, error *err)
+{
+    const item *it = &p->list->items.v[i];
+    fill_style fill = p->options->fill;
+    bool outlined_before = i > 0 && is_outlined_by(it, it - 1), outlined_after = i + 1 < p->list->items.n && is_outlined_by(it, it + 1);
+    bool outlined = outlined_before || outlined_after, is_letter = false, is_blot = false, outline = fill == FILL_OUTLINE;
+    if (fill == FILL_HATCH && !plb_is_blot(it, p->options, &is_blot, err))
+        return false;
+    if (!is_blot && !outlined_before && !add_letters(p, i, outlined, &is_letter, out, stands_for_next, err))
+        return false;
+    if (is_letter)
+        return true;
+    if (fill == FILL_HATCH && !plb_plan_hatch(&p->hatcher, it, style_of(p, it).colour, &outline, out, err))
+        return false;
+    return !outline || outlined || add_outline(p, i, out, err);
+}
+
+bool plb_plan_marks(const plan_context *p, size_t i, track_list *out, bool *stands_for_next, error *err)
+{
+    const item *it = &p->list->items.v[i];
+    plb_tracks_clear(out);
+    *stands_for_next = false;
+    if (it->kind == ITEM_FILL)
+        return add_fill(p, i, out, stands_for_next, err);
+    return plb_is_wide(it, p->options) ? add_wide_line(p, it, out, err) : add_line(p, it, out, err);
+}
