@@ -7,6 +7,7 @@
 #include "base/array.h"
 #include "base/number/random.h"
 #include "profile/file/format.h"
+#include "profile/capture/line_straighten.h"
 #include "profile/grain/grain.h"
 #include "base/number/normal.h"
 #include "profile/grain/grain_math.h"

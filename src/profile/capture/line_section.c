@@ -1,8 +1,5 @@
-/* SPDX-License-Identifier: MIT
- *
- * The cross-section of a line: grey against distance from the centreline, both sides folded together.
- */
-#include "profile/capture/line_strip.h"
+/* SPDX-License-Identifier: MIT */
+#include "profile/capture/line_section.h"
 
 #include <math.h>
 

@@ -1,13 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture, second step: the line straightened, its greys on a scale where paper is 255, and what is not the pencil's
- * left out.
+ * A line straightened, its greys on a scale where paper is 255, and what is not the pencil's left out.
  */
 #ifndef PLB_PROFILE_CAPTURE_LINE_STRIP_H
 #define PLB_PROFILE_CAPTURE_LINE_STRIP_H
 
 #include "profile/hand.h"
-#include "profile/capture/line_find.h"
 #include "profile/profile.h"
 
 /* Columns are shifted by whole pixels, nothing is resampled: every grey is a pixel of the scan. Column k is
@@ -34,10 +32,6 @@ typedef struct {
 #define STRIP_GRAIN_LIGHTEST 250
 #define STRIP_GRAIN_REACH 8 /* in 1/300 inch: rows beyond are paper */
 
-/* `unit` is 1/300 inch in pixels. The caller frees `out`. */
-bool plb_line_strip_make(const scan *s, const line_track *t, double unit, int paper, line_strip *out, error *err);
-void plb_line_strip_free(line_strip *strip);
-
 static inline int strip_rows(const line_strip *s)
 {
     return 2 * s->reach + 1;
@@ -56,18 +50,5 @@ static inline double strip_distance(const line_strip *s, int k, int o)
     double d = (o - s->offset[k]) * s->cosine[k];
     return d < 0 ? -d : d;
 }
-
-/* ---- the cross-section, of one strip or of several pooled ---- */
-
-typedef struct {
-    double n[PROFILE_SECTION_BINS], sum[PROFILE_SECTION_BINS], squares[PROFILE_SECTION_BINS];
-} section_sums;
-
-/* Adds the usable pixels of a strip, its distances times `stretch`. */
-void plb_section_add(section_sums *sums, const line_strip *s, double stretch);
-/* Mean and standard deviation by bin; a bin without pixels lies between its neighbours. */
-void plb_section_figures(const section_sums *sums, double mean[PROFILE_SECTION_BINS], double sd[PROFILE_SECTION_BINS]);
-/* The width where darkness falls to `share` of its greatest, px; 0 when there is no line. */
-double plb_section_width(const double mean[PROFILE_SECTION_BINS], double share);
 
 #endif

@@ -11,7 +11,8 @@
 #include "profile/grain/grain.h"
 #include "profile/histogram.h"
 #include "profile/capture/line_find.h"
-#include "profile/capture/line_strip.h"
+#include "profile/capture/line_section.h"
+#include "profile/capture/line_straighten.h"
 #include "profile/profile.h"
 
 #include "base/array.h"

@@ -50,32 +50,32 @@ typedef struct {
 /* grain_lines.c: the strips as grain_lines; the reference width. The strips stay in use. */
 bool plb_grain_lines_make(const line_strip strips[], size_t n, grain_lines *out, grain_model *g, error *err);
 void plb_grain_lines_free(grain_lines *lines);
-/* grain_section.c: g->section. */
+/* section/section_mean.c: g->section. */
 void plb_grain_section(const grain_lines *lines, grain_model *g);
 /* The root of g->section so far from the centreline: where nothing deviates. */
 double plb_grain_root(const grain_model *g, double place);
 /* How fast its square changes: modes are in darkness, and work on the root by this much less. */
 double plb_grain_root_slope(double root);
-/* grain_modes.c: g->mode, the coefficients of the columns; g->section becomes the square of the mean root. */
+/* section/section_modes.c: g->mode, the coefficients of the columns; g->section becomes the square of the mean root. */
 bool plb_grain_modes(grain_lines *lines, grain_model *g, error *err);
-/* grain_slow.c: g->mode_between, mode_within, mode_length; the means of the coefficients. */
+/* section/section_process.c: g->mode_between, mode_within, mode_length; the means of the coefficients. */
 void plb_grain_slow(grain_lines *lines, grain_model *g);
-/* grain_darkness.c: the levels of the pixels and g->darkness; the normal score of a darkness at a level. */
+/* score/score_table.c: the levels of the pixels and g->darkness; the normal score of a darkness at a level. */
 bool plb_grain_darkness(grain_lines *lines, grain_model *g, error *err);
 double plb_grain_score(const grain_model *g, double level, double dark);
 /* The score below which a pixel shows nothing; `least`: the relative darkness of the faintest grey. -3: it always shows. */
 double plb_grain_bare_score(const grain_model *g, double level, double least);
-/* grain_scores.c: scores, roughness and own correlation of the lines, g->place_scale. */
+/* score/scores.c: scores, roughness and own correlation of the lines, g->place_scale. */
 void plb_grain_scores(grain_lines *lines, grain_model *g);
-/* grain_places.c: g->place_along, place_across. */
+/* score/score_places.c: g->place_along, place_across. */
 void plb_grain_places(const grain_lines *lines, grain_model *g);
-/* grain_moments.c: g->volatility, volatility_across. */
+/* correlation/score_moments.c: g->volatility, volatility_across. */
 void plb_grain_moments(const grain_lines *lines, grain_model *g, grain_moments *m);
-/* grain_chain.c: g->chain_…; response[d][e] is the covariance at lag d of the chain's output where its innovations have
+/* correlation/score_chain.c: g->chain_…; response[d][e] is the covariance at lag d of the chain's output where its innovations have
  * unit covariance at lags e and -e. */
 void plb_grain_chain(const grain_moments *m, grain_model *g);
 void plb_grain_chain_response(const grain_model *g, double response[GRAIN_LAGS][GRAIN_LAGS]);
-/* grain_filter.c: the filter that gives the chain's output the correlation `wanted`; g->filter. */
+/* correlation/noise_filter.c: the filter that gives the chain's output the correlation `wanted`; g->filter. */
 void plb_grain_solve_filter(double response[GRAIN_LAGS][GRAIN_LAGS], double wanted[GRAIN_LAGS][GRAIN_ASIDE],
                             float out[GRAIN_TAPS][GRAIN_TAPS]);
 void plb_grain_filter(const grain_moments *m, grain_model *g);

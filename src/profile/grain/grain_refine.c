@@ -5,6 +5,7 @@
  * bootstrap's correction of a bias: Efron & Tibshirani, An Introduction to the Bootstrap, 1993, chapter 10; in econometrics
  * indirect inference).
  */
+#include "profile/capture/line_straighten.h"
 #include "profile/grain/grain.h"
 
 #include "base/array.h"

@@ -2,13 +2,13 @@
  *
  * Capture, second step: the line straightened, greys scaled, other marks left out.
  */
-#include "profile/capture/line_strip.h"
-
-#include "profile/histogram.h"
+#include "profile/capture/line_straighten.h"
 
 #include "base/array.h"
 #include "base/number/random.h"
 #include "base/number/units.h"
+#include "profile/capture/line_section.h"
+#include "profile/histogram.h"
 
 #include <math.h>
 #include <stdlib.h>
