@@ -35,7 +35,7 @@ typedef struct {
     uint64_t identity; /* where its random numbers live: a hash of its shape, distinct for each stroke of a list */
     size_t first, n;   /* its points in stroke_list.points; n >= 2, no two neighbours equal */
     bool closed;       /* ends where it starts, smoothly */
-    float room;        /* mm: how far the hand may stray, since another line runs beside it; 0: as it does */
+    float max_deviation; /* mm: how far the hand may stray, since another line runs beside this one; 0: as far as it does by itself */
     bool corner_first, corner_last; /* an end where the line goes on round a corner: the pencil is not lifted there */
 } stroke;
 

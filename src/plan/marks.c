@@ -52,7 +52,7 @@ static bool add_outline(const plan_context *p, size_t i, track_list *out, error 
     const item *it = &p->list->items.v[i];
     track_list lines = {0};
     size_t first = out->tracks.n;
-    bool ok = plb_plan_flatten(&it->path, true, &lines, err) && plb_plan_fuse(p->cover, i, &lines, out, err);
+    bool ok = plb_plan_flatten(&it->path, true, &lines, err) && plb_plan_fuse(p->occluders, i, &lines, out, err);
     set_style(out, first, style_of(p, it));
     plb_tracks_free(&lines);
     return ok;

@@ -13,7 +13,7 @@ typedef struct {
     const display_list *list;
     const plan_options *options;
     clipper *clips;
-    cover *cover;
+    occluders *occluders;
     hatcher hatcher;
     double usual_width; /* of the drawing's lines, mm */
 } plan_context;

@@ -13,7 +13,7 @@
 #include "plan/item/stages.h"
 #include "plan/item/weight.h"
 #include "plan/marks.h"
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 #include <string.h>
 
@@ -75,7 +75,7 @@ static bool finish_marks(planner *p, size_t i, const track_list *marks)
         a = &p->b;
         b = &p->a;
     }
-    return ok && plb_plan_hide(c->cover, i, a, plb_tracks_clear(b), p->err) &&
+    return ok && plb_plan_hide(c->occluders, i, a, plb_tracks_clear(b), p->err) &&
            plb_plan_drop_scraps(b, o, plb_tracks_clear(a), p->err) &&
            plb_plan_simplify(a, o->pencil_width, plb_tracks_clear(b), p->err) &&
            plb_plan_corners(b, plb_tracks_clear(a), p->err) && add_strokes(a, p->out, p->err);
@@ -86,7 +86,7 @@ static bool draw_items(planner *p)
     const display_list *list = p->context.list;
     bool ok = true, is_drawn = false; /* by the marks of the item before */
     for (size_t i = 0; ok && i < list->items.n; i++) {
-        bool is_visible = !is_drawn && plb_leaves_mark(&list->items.v[i]) && !plb_cover_hides_item(p->context.cover, i);
+        bool is_visible = !is_drawn && plb_leaves_mark(&list->items.v[i]) && !plb_occluders_hide_item(p->context.occluders, i);
         is_drawn = false;
         if (!is_visible)
             continue;
@@ -132,13 +132,13 @@ static bool context_init(plan_context *c, const display_list *list, const plan_o
 {
     *c = (plan_context){.list = list, .options = o, .hatcher = plb_hatcher(list, o)};
     c->clips = plb_clipper_new(list, err);
-    c->cover = c->clips ? plb_cover_new(list, o, c->clips, err) : NULL;
-    return c->cover && plb_usual_width(list, o, &c->usual_width, err);
+    c->occluders = c->clips ? plb_occluders_new(list, o, c->clips, err) : NULL;
+    return c->occluders && plb_usual_width(list, o, &c->usual_width, err);
 }
 
 static void context_free(plan_context *c)
 {
-    plb_cover_free(c->cover);
+    plb_occluders_free(c->occluders);
     plb_clipper_free(c->clips);
 }
 
@@ -153,7 +153,7 @@ bool plb_plan(const display_list *list, const plan_options *o, const log_sink *s
         plb_log(say, MESSAGE_DETAIL, "%zu items make %zu strokes", list->items.n, out->strokes.n);
     else
         plb_stroke_list_free(out);
-    if (ok && plb_cover_is_exhausted(p.context.cover))
+    if (ok && plb_occluders_are_exhausted(p.context.occluders))
         plb_log(say, MESSAGE_WARNING, "too many areas lie over each other: not all hidden lines are left out");
     context_free(&p.context);
     return ok;

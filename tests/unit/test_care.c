@@ -6,7 +6,7 @@
 #include "check.h"
 
 #include "plan/habits/habits.h"
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 #include "plan/item/stages.h"
 
 static stroke *add(stroke_list *list, double x0, double y0, double x1, double y1, stroke_kind kind)
@@ -121,8 +121,8 @@ static void lines_that_others_end_upon_stray_little(void)
     add(&list, 50, 150, 60, 140, STROKE_HATCH);
     CHECK(plb_plan_junctions(&list, 1, NULL));
     for (size_t i = 0; i < list.strokes.n; i++)
-        CHECK((list.strokes.v[i].room > 0) == (i == 0));
-    CHECK_RANGE(list.strokes.v[0].room, 0.05, 0.35);
+        CHECK((list.strokes.v[i].max_deviation > 0) == (i == 0));
+    CHECK_RANGE(list.strokes.v[0].max_deviation, 0.05, 0.35);
     plb_stroke_list_free(&list);
 }
 

@@ -6,7 +6,7 @@
 
 #include "base/number/random.h"
 #include "plan/habits/habits.h"
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 #include "stroke/stroke.h"
 
 static stroke_list page(void)
@@ -114,7 +114,7 @@ static void a_share_of_long_lines_is_drawn_twice(void)
     CHECK_RANGE((double)list.strokes.n - 500, 0.23 * 400, 0.37 * 400);
     for (size_t i = 500; i < list.strokes.n; i++) {
         const stroke *s = &list.strokes.v[i];
-        CHECK(s->style.pressure < 0.9f && s->style.kind == STROKE_LINE && s->room > 0 && s->room < 1);
+        CHECK(s->style.pressure < 0.9f && s->style.kind == STROKE_LINE && s->max_deviation > 0 && s->max_deviation < 1);
         CHECK_RANGE(plb_point_distance(list.points.v[s->first], list.points.v[s->first + 1]), 75, 84);
     }
     CHECK(plb_plan_identify(&list, NULL));
@@ -167,7 +167,7 @@ static void guides_stay_on_the_page_and_cross_circles(void)
 
 /* ---- lines beside each other ---- */
 
-static void neighbours_get_room(void)
+static void neighbours_limit_deviation(void)
 {
     stroke_list list = page();
     add(&list, 20, 50, 180, 50, STROKE_LINE);
@@ -176,9 +176,9 @@ static void neighbours_get_room(void)
     add(&list, 100, 20, 100, 120, STROKE_LINE); /* crosses all */
     add(&list, 20, 90, 180, 93, STROKE_LINE);   /* meets an end */
     CHECK(plb_plan_neighbours(&list, 1, NULL));
-    CHECK_RANGE(list.strokes.v[0].room, 0.3, 0.4);
-    CHECK_RANGE(list.strokes.v[1].room, 0.3, 0.4);
-    CHECK(list.strokes.v[2].room == 0 && list.strokes.v[3].room == 0 && list.strokes.v[4].room == 0);
+    CHECK_RANGE(list.strokes.v[0].max_deviation, 0.3, 0.4);
+    CHECK_RANGE(list.strokes.v[1].max_deviation, 0.3, 0.4);
+    CHECK(list.strokes.v[2].max_deviation == 0 && list.strokes.v[3].max_deviation == 0 && list.strokes.v[4].max_deviation == 0);
     plb_stroke_list_free(&list);
 }
 
@@ -209,9 +209,9 @@ static void threads_change_no_stroke(void)
         int beside = 0, met = 0;
         for (size_t i = 0; i < by[k].strokes.n; i++) {
             const stroke *s = &by[k].strokes.v[i], *t = &by[0].strokes.v[i];
-            CHECK(s->first == t->first && s->n == t->n && s->room == t->room);
-            beside += s->room > 0.3f;
-            met += s->room > 0 && s->room < 0.3f;
+            CHECK(s->first == t->first && s->n == t->n && s->max_deviation == t->max_deviation);
+            beside += s->max_deviation > 0.3f;
+            met += s->max_deviation > 0 && s->max_deviation < 0.3f;
         }
         CHECK(beside == ROWS / 2 && met == ROWS / 2);
     }
@@ -253,7 +253,7 @@ int main(void)
     RUN(a_share_of_long_lines_is_drawn_twice);
     RUN(guides_carry_long_lines_on);
     RUN(guides_stay_on_the_page_and_cross_circles);
-    RUN(neighbours_get_room);
+    RUN(neighbours_limit_deviation);
     RUN(threads_change_no_stroke);
     RUN(the_lines_of_a_wall_stay_apart);
     CHECK_EXIT;

@@ -7,7 +7,7 @@
  */
 #include "base/number/random.h"
 #include "plan/habits/habits.h"
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -31,8 +31,8 @@
 /* Hardly touching the paper. */
 #define GUIDE_PRESSURE 0.35f
 /* A guide is drawn with care, and the line on it follows it: so far they stray, mm. */
-#define GUIDE_ROOM_MM 0.4f
-#define GUIDED_ROOM_MM 0.6f
+#define GUIDE_DEVIATION_MM 0.4f
+#define GUIDED_DEVIATION_MM 0.6f
 
 /* A stretch of a line in its normal form: the direction and the distance from the origin in steps, and from where to where. */
 typedef struct {
@@ -82,7 +82,7 @@ static bool draw(stroke_list *list, const plan_options *o, const stretch *s, dou
     low = fmax(low, s->from - beyond * (1 + BEYOND_SPREAD * (2 * random_unit(key, 0) - 1)));
     high = fmin(high, s->to + beyond * (1 + BEYOND_SPREAD * (2 * random_unit(key, 1) - 1)));
     point ends[2] = {{low * c - s->off * n, low * n + s->off * c}, {high * c - s->off * n, high * n + s->off * c}};
-    stroke guide = {.style = {GUIDE_PRESSURE, 0, STROKE_GUIDE}, .room = GUIDE_ROOM_MM};
+    stroke guide = {.style = {GUIDE_PRESSURE, 0, STROKE_GUIDE}, .max_deviation = GUIDE_DEVIATION_MM};
     return high - low < 1 || plb_plan_append(list, &guide, ends, 2);
 }
 
@@ -146,7 +146,7 @@ bool plb_plan_guides(stroke_list *list, const plan_options *o)
             continue;
         if (s.n == 2 && plb_point_distance(v[0], v[1]) >= least) {
             ok = array_push(&lines, stretch_of(v[0], v[1]));
-            list->strokes.v[i].room = s.room > 0 ? fminf(s.room, GUIDED_ROOM_MM) : GUIDED_ROOM_MM;
+            list->strokes.v[i].max_deviation = s.max_deviation > 0 ? fminf(s.max_deviation, GUIDED_DEVIATION_MM) : GUIDED_DEVIATION_MM;
         } else if (is_circle(list, &s, &centre, &diameter))
             ok = draw_axes(list, o, centre, diameter);
     }

@@ -9,7 +9,7 @@
 #include "plan/habits/habits.h"
 
 #include "base/number/random.h"
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 #include <math.h>
 
@@ -27,7 +27,7 @@
 #define RESTATE_ALONG_MM 1.8
 #define RESTATE_PRESSURE 0.75f
 /* Neither strays farther than this: the second is drawn with an eye on the first. */
-#define RESTATE_ROOM_MM 0.7f
+#define RESTATED_DEVIATION_MM 0.7f
 
 typedef struct {
     stroke_list *list;
@@ -90,7 +90,7 @@ static bool restate(habits *h, size_t i)
     stroke again = *s;
     again.corner_first = again.corner_last = false;
     again.style.pressure *= RESTATE_PRESSURE;
-    again.room = s->room = s->room > 0 ? fminf(s->room, RESTATE_ROOM_MM) : RESTATE_ROOM_MM;
+    again.max_deviation = s->max_deviation = s->max_deviation > 0 ? fminf(s->max_deviation, RESTATED_DEVIATION_MM) : RESTATED_DEVIATION_MM;
     h->copy.n = 0;
     if (!array_reserve(&h->copy, s->n))
         return false;

@@ -39,6 +39,8 @@ bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *o
 
 /* ---- hatch_direction.c ---- */
 
+/* A shape this much longer than wide has an axis to follow: lines and scribbles go along it (chosen by eye). */
+#define LONG_ELONGATION 2.2
 /* A right hand's strokes rise to the right: their direction, radians (chosen by eye). */
 #define HATCH_HABIT (-0.82)
 /* Takes note of a fill: of all before the first question. */

@@ -9,8 +9,6 @@
 
 #include <math.h>
 
-/* A shape this much longer than wide has an axis to follow (chosen by eye). */
-#define LONG_ELONGATION 2.2
 /* A shared axis is the mean of those of the shapes, weighted by their outlines' lengths, when they agree this well: the length of the
  * mean vector of doubled angles (chosen by eye). */
 #define AGREEMENT 0.7

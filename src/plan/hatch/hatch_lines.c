@@ -12,15 +12,15 @@
 
 /* Of the distance of two lines, one standard deviation of what a line strays, and the depth of the slow drift of the
  * distance over DRIFT_LINES lines (chosen by eye). */
-#define UNEVEN 0.09
-#define DRIFT 0.1
+#define SPACING_UNEVEN 0.09
+#define SPACING_DRIFT 0.1
 #define DRIFT_LINES 11
 /* A line leans to either side by at most so much, mm of its length; beyond TILT_LENGTH it does not lean farther. */
 #define TILT 0.02
 #define TILT_LENGTH 25.0
 /* Ends stray about the edge by this, mm, one standard deviation, mostly inside; never by more than END_MAX, nor by more than
  * a part of a short line. */
-#define END_STRAY 0.13
+#define LINE_END_STRAY 0.13
 #define END_INSIDE 0.03
 #define END_MAX 0.4
 #define END_PART 0.18
@@ -71,7 +71,7 @@ static uint64_t number(const hatching *h, uint64_t what)
 static double stray_of_end(const hatching *h, double length, uint64_t index)
 {
     double most = fmin(END_MAX, END_PART * length);
-    return within(stray(h->key, number(h, index)) * fmin(END_STRAY, most) - END_INSIDE, -most, most);
+    return within(stray(h->key, number(h, index)) * fmin(LINE_END_STRAY, most) - END_INSIDE, -most, most);
 }
 
 static point place(const hatching *h, const sections *k, double v, double tilt, double u)
@@ -113,7 +113,7 @@ static bool send_sweeps(const hatching *h, const sections *k, double v, double t
 #define LOOK_MM 1.2
 #define NEW_PRESSURE 0.13
 #define SHORTEST_PART 2.5
-#define MAX_LOOKS 4000
+#define MAX_TONE_LOOKS 4000
 
 /* The rank of a line, evenly spread in [0, 1) over any run of neighbours (van der Corput's sequence), a little uneven: where
  * the tone asks for a share of the lines, those of a lower rank are drawn. */
@@ -145,7 +145,7 @@ static bool send_part(const hatching *h, const sections *k, double v, double til
 /* Follows the tone along the line. */
 static bool send_varied(const hatching *h, const sections *k, double v, double tilt, span s, uint64_t index)
 {
-    double rank = rank_of(h), looks = fmin(ceil((s.to - s.from) / LOOK_MM), MAX_LOOKS), step = (s.to - s.from) / looks;
+    double rank = rank_of(h), looks = fmin(ceil((s.to - s.from) / LOOK_MM), MAX_TONE_LOOKS), step = (s.to - s.from) / looks;
     double from = s.from, sum = 0, first = 0;
     int n = 0;
     bool ok = true;
@@ -198,10 +198,10 @@ static bool send_lines(hatching *h, sections *k, double from, double to)
     double steepest = k->tilt;
     bool ok = true;
     for (h->line = 1; ok && place < to; h->line++) {
-        double v = place + spacing * UNEVEN * stray(h->key, number(h, AT_PLACE));
+        double v = place + spacing * SPACING_UNEVEN * stray(h->key, number(h, AT_PLACE));
         double tilt = within(stray(h->key, number(h, AT_TILT)) / 2, -1, 1) * steepest;
         ok = plb_sections_at(k, v, tilt, h->m->err) && send_line(h, k, v, tilt);
-        place += spacing * (1 + DRIFT * drift(h->key, h->line));
+        place += spacing * (1 + SPACING_DRIFT * drift(h->key, h->line));
     }
     return ok;
 }

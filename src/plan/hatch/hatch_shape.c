@@ -10,9 +10,9 @@
 #include <math.h>
 
 /* So many sections measure a shape: enough to tell its axis to a degree or two. */
-#define SECTIONS 24
+#define MEASURING_SECTIONS 24
 /* Identities hash positions in this unit, mm. */
-#define IDENTITY_UNIT_MM 0.001
+#define SHAPE_IDENTITY_UNIT_MM 0.001
 
 static bool add_subpath(shape *s, const track *t)
 {
@@ -24,7 +24,7 @@ static bool add_subpath(shape *s, const track *t)
     for (size_t i = 0; i < t->n; i++) {
         shape_edge e = {t->v[i].at, t->v[(i + 1) % t->n].at};
         plb_box_add(&s->bounds, e.from);
-        s->identity = random_fold(s->identity, llround(e.from.x / IDENTITY_UNIT_MM), llround(e.from.y / IDENTITY_UNIT_MM));
+        s->identity = random_fold(s->identity, llround(e.from.x / SHAPE_IDENTITY_UNIT_MM), llround(e.from.y / SHAPE_IDENTITY_UNIT_MM));
         if (e.from.x == e.to.x && e.from.y == e.to.y)
             continue;
         s->perimeter += plb_point_distance(e.from, e.to);
@@ -80,9 +80,9 @@ static bool measure(shape *s, error *err)
     sections k;
     moments m = {0};
     point origin = {(s->bounds.x0 + s->bounds.x1) / 2, (s->bounds.y0 + s->bounds.y1) / 2};
-    double height = (s->bounds.y1 - s->bounds.y0) / SECTIONS;
+    double height = (s->bounds.y1 - s->bounds.y0) / MEASURING_SECTIONS;
     bool ok = plb_sections_init(&k, &s->edges, s->even_odd, plb_frame(0), 0, err);
-    for (int i = 0; ok && i < SECTIONS && height > 0; i++) {
+    for (int i = 0; ok && i < MEASURING_SECTIONS && height > 0; i++) {
         double y = s->bounds.y0 + (i + 0.5) * height;
         ok = plb_sections_at(&k, y, 0, err);
         for (size_t j = 0; ok && j < k.spans.n; j++)
@@ -99,8 +99,8 @@ static bool mean_section(const shape *s, double radians, double *mean, error *er
     sections k;
     double sum = 0, squares = 0;
     bool ok = plb_sections_init(&k, &s->edges, s->even_odd, plb_frame(radians), 0, err);
-    for (int i = 0; ok && i < SECTIONS; i++) {
-        ok = plb_sections_at(&k, k.bounds.y0 + (i + 0.5) / SECTIONS * (k.bounds.y1 - k.bounds.y0), 0, err);
+    for (int i = 0; ok && i < MEASURING_SECTIONS; i++) {
+        ok = plb_sections_at(&k, k.bounds.y0 + (i + 0.5) / MEASURING_SECTIONS * (k.bounds.y1 - k.bounds.y0), 0, err);
         for (size_t j = 0; ok && j < k.spans.n; j++) {
             double length = k.spans.v[j].to - k.spans.v[j].from;
             sum += length;

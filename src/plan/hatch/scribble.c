@@ -31,14 +31,12 @@
 #define PEN_WIDTHS 1.8
 /* Passes of a scribble lie so far apart, in widths of the line. */
 #define PASS_WIDTHS 0.42
-/* A shape this much longer than wide is scribbled along its axis, others in the hand's usual direction. */
-#define LONG_ELONGATION 2.2
 /* Places of a pass stray by this part of their distance, its ends by this part of the line's width. */
 #define PASS_STRAY 0.2
 /* A pass ends this part of their distance farther on than halfway between its ends. */
 #define PASS_LEAN 0.22
-#define END_STRAY 0.15
-#define MAX_PASSES 4000
+#define PASS_END_STRAY 0.15
+#define MAX_SCRIBBLE_PASSES 4000
 /* Sections so many widths to either side tell how a pass must end, and so many widths inside them it does. */
 #define SIDE_WIDTHS 0.3
 #define END_INSET 0.25
@@ -146,11 +144,11 @@ typedef struct {
     bool met;   /* by a section of the line at work */
     double length; /* of the movement so far, mm */
     ARRAY(track_point) turns; /* so far, in the page's frame */
-} movement;
+} zigzag;
 
-typedef ARRAY(movement) movements;
+typedef ARRAY(zigzag) zigzags;
 
-static bool turn_at(const scribble *k, movement *c, double u, double v)
+static bool turn_at(const scribble *k, zigzag *c, double u, double v)
 {
     track_point p = {frame_from(k->f, (point){u, v}), false};
     size_t n = c->turns.n;
@@ -185,12 +183,12 @@ static span narrowed(const scribble *k, span s, const sections side[2], uint64_t
 {
     s = within_side(within_side(s, &side[0]), &side[1]);
     double length = s.to - s.from, inset = fmin(k->width * END_INSET, length * 0.3);
-    double uneven = fmin(k->width, length / 3) * END_STRAY;
+    double uneven = fmin(k->width, length / 3) * PASS_END_STRAY;
     return (span){s.from + inset + uneven * stray(k, index), s.to - inset + uneven * stray(k, index + 1)};
 }
 
 /* The point goes on from both ends: it is not lifted. */
-static bool finish(const scribble *k, movement *c)
+static bool finish(const scribble *k, zigzag *c)
 {
     size_t n = c->turns.n;
     bool ok = true;
@@ -204,7 +202,7 @@ static bool finish(const scribble *k, movement *c)
 }
 
 /* Every other pass goes back. The point goes round its turns in two bends: it is never simply reversed. */
-static bool pass_along(const scribble *k, movement *c, span in, double v, bool back)
+static bool pass_along(const scribble *k, zigzag *c, span in, double v, bool back)
 {
     double lean = k->apart * PASS_LEAN;
     return turn_at(k, c, back ? in.to : in.from, v - lean) && turn_at(k, c, back ? in.from : in.to, v + lean);
@@ -241,20 +239,20 @@ static bool sections_at(pass_sections *at, const scribble *k, uint64_t line, dou
 }
 
 /* Adds the pass of one section: on from the chain it overlaps, or a new one. */
-static bool add_pass(const scribble *k, movements *open, const pass_sections *at, size_t index)
+static bool add_pass(const scribble *k, zigzags *open, const pass_sections *at, size_t index)
 {
     span s = at->cut.spans.v[index], in = narrowed(k, s, at->side, at->line * 1024 + index * 2);
     double v = at->v;
     bool back = at->line % 2;
     for (size_t i = 0; i < open->n; i++) {
-        movement *c = &open->v[i];
+        zigzag *c = &open->v[i];
         if (c->met || s.from > c->last.to || s.to < c->last.from)
             continue;
         c->met = true;
         c->last = s;
         return pass_along(k, c, in, v, back);
     }
-    movement c = {.last = s, .met = true};
+    zigzag c = {.last = s, .met = true};
     bool ok = pass_along(k, &c, in, v, back) && array_push(open, c);
     if (!ok)
         array_free(&c.turns);
@@ -262,12 +260,12 @@ static bool add_pass(const scribble *k, movements *open, const pass_sections *at
 }
 
 /* Ends the movements that the line at work did not meet. */
-static bool end_unmet(const scribble *k, movements *open, bool all)
+static bool end_unmet(const scribble *k, zigzags *open, bool all)
 {
     size_t kept = 0;
     bool ok = true;
     for (size_t i = 0; i < open->n; i++) {
-        movement *c = &open->v[i];
+        zigzag *c = &open->v[i];
         if (c->met && !all) {
             c->met = false;
             open->v[kept++] = *c;
@@ -284,10 +282,10 @@ static bool end_unmet(const scribble *k, movements *open, bool all)
 static bool back_and_forth(scribble *k, box page)
 {
     pass_sections at = {0};
-    movements open = {0};
+    zigzags open = {0};
     bool ok = sections_init(&at, k);
     double low = fmax(at.cut.bounds.y0, page.y0), high = fmin(at.cut.bounds.y1, page.y1), breadth = high - low - k->width;
-    double passes = breadth > 0 ? fmin(ceil(breadth / (PASS_WIDTHS * k->width)), MAX_PASSES) : 0;
+    double passes = breadth > 0 ? fmin(ceil(breadth / (PASS_WIDTHS * k->width)), MAX_SCRIBBLE_PASSES) : 0;
     double apart = passes > 0 ? breadth / passes : 0, first = passes > 0 ? low + k->width / 2 : (low + high) / 2;
     k->apart = apart;
     for (uint64_t i = 0; ok && (double)i <= passes; i++) {

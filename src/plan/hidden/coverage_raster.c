@@ -12,25 +12,23 @@
 #include <math.h>
 #include <stdlib.h>
 
-/* A cell that comes this near to an edge is not covered: a line on an edge stays (as in occlusion.c). */
-#define EDGE_MARGIN_MM 0.05
 /* Cells along the longer side: so many times the root of the number of areas, within bounds (by estimate). */
 #define CELLS_PER_ROOT 16
 #define CELLS_MIN 64
 #define CELLS_MAX 1024
 /* Cells and crossings looked at for one drawing, about a second of them; after that areas are no longer added. */
-#define MAX_WORK 3e7
+#define MAX_RASTER_WORK 3e7
 
 typedef struct {
     point a, b;
-} edge;
+} shape_edge;
 
 typedef struct {
     double x;
     int way; /* the edge's direction: 1 down, -1 up */
 } crossing;
 
-struct topmost {
+struct coverage_raster {
     grid cells; /* its cell size is all that is used, for walks */
     int columns, rows;
     uint32_t *top;  /* of each cell: one more than the order of what covers it; 0: nothing does */
@@ -39,14 +37,14 @@ struct topmost {
     int *low, *high;  /* of each row: the columns that the shape at work lies in */
     size_t *first;    /* of each row, and one more: where its crossings start */
     track_list lines;  /* of the shape at work … */
-    ARRAY(edge) edges; /* … and their edges */
+    ARRAY(shape_edge) edges; /* … and their edges */
     ARRAY(crossing) at;
     double work;
 };
 
-topmost *plb_topmost_new(double width, double height, size_t areas)
+coverage_raster *plb_coverage_new(double width, double height, size_t areas)
 {
-    topmost *t = plb_new(1, sizeof *t);
+    coverage_raster *t = plb_new(1, sizeof *t);
     if (!t)
         return NULL;
     double side = fmin(fmax(CELLS_PER_ROOT * sqrt((double)areas), CELLS_MIN), CELLS_MAX);
@@ -61,7 +59,7 @@ topmost *plb_topmost_new(double width, double height, size_t areas)
     t->high = plb_new(rows, sizeof *t->high);
     t->first = plb_new(rows + 2, sizeof *t->first);
     if (!t->top || !t->mark || !t->open || !t->low || !t->high || !t->first) {
-        plb_topmost_free(t);
+        plb_coverage_free(t);
         return NULL;
     }
     for (size_t i = 0; i < n + rows; i++)
@@ -69,7 +67,7 @@ topmost *plb_topmost_new(double width, double height, size_t areas)
     return t;
 }
 
-void plb_topmost_free(topmost *t)
+void plb_coverage_free(coverage_raster *t)
 {
     if (!t)
         return;
@@ -86,7 +84,7 @@ void plb_topmost_free(topmost *t)
 }
 
 /* The first open column of the row from `column` on; t->columns: none. */
-static int next_open(topmost *t, int row, int column)
+static int next_open(coverage_raster *t, int row, int column)
 {
     uint32_t *open = t->open + (size_t)row * ((size_t)t->columns + 1), k = (uint32_t)column;
     while (open[k] != k)
@@ -99,17 +97,17 @@ static int clamp(double k, int n)
     return k <= 0 ? 0 : k >= n ? n - 1 : (int)k;
 }
 
-static int column_of(const topmost *t, double x)
+static int column_of(const coverage_raster *t, double x)
 {
     return clamp(x / t->cells.cell, t->columns);
 }
 
-static int row_of(const topmost *t, double y)
+static int row_of(const coverage_raster *t, double y)
 {
     return clamp(y / t->cells.cell, t->rows);
 }
 
-bool plb_topmost_hides_box(topmost *t, box b)
+bool plb_coverage_hides_box(coverage_raster *t, box b)
 {
     int left = column_of(t, b.x0), right = column_of(t, b.x1), row = row_of(t, b.y0), last = row_of(t, b.y1);
     while (row <= last && next_open(t, row, left) > right)
@@ -120,7 +118,7 @@ bool plb_topmost_hides_box(topmost *t, box b)
 /* ---- a shape ---- */
 
 /* The edges of the shape at work, whose subpaths are closed. */
-static bool find_edges(topmost *t, const path *shape, error *err)
+static bool find_edges(coverage_raster *t, const path *shape, error *err)
 {
     plb_tracks_clear(&t->lines);
     if (!plb_plan_flatten(shape, true, &t->lines, err))
@@ -131,13 +129,13 @@ static bool find_edges(topmost *t, const path *shape, error *err)
         track line = plb_track_at(&t->lines, k);
         ok = array_reserve(&t->edges, line.n);
         for (size_t i = 0; ok && i < line.n; i++)
-            t->edges.v[t->edges.n++] = (edge){line.v[i].at, line.v[(i + 1) % line.n].at};
+            t->edges.v[t->edges.n++] = (shape_edge){line.v[i].at, line.v[(i + 1) % line.n].at};
     }
     return ok;
 }
 
 /* The part of an edge that is on the page or just beside it; false: none is. */
-static bool clip_edge(const topmost *t, edge *e)
+static bool clip_edge(const coverage_raster *t, shape_edge *e)
 {
     double more = EDGE_MARGIN_MM, size[2] = {t->columns * t->cells.cell, t->rows * t->cells.cell}, from = 0, to = 1;
     double at[2] = {e->a.x, e->a.y}, way[2] = {e->b.x - e->a.x, e->b.y - e->a.y};
@@ -150,19 +148,19 @@ static bool clip_edge(const topmost *t, edge *e)
         from = fmax(from, fmin(s, u));
         to = fmin(to, fmax(s, u));
     }
-    *e = (edge){point_mix(e->a, e->b, from), point_mix(e->a, e->b, to)};
+    *e = (shape_edge){point_mix(e->a, e->b, from), point_mix(e->a, e->b, to)};
     return from <= to;
 }
 
 /* Marks the cells that the shape's edges come near to, and finds each row's outermost. */
-static void mark_edges(topmost *t, uint32_t name)
+static void mark_edges(coverage_raster *t, uint32_t name)
 {
     for (int row = 0; row < t->rows; row++) {
         t->low[row] = t->columns;
         t->high[row] = -1;
     }
     for (size_t i = 0; i < t->edges.n; i++) {
-        edge e = t->edges.v[i];
+        shape_edge e = t->edges.v[i];
         if (!clip_edge(t, &e))
             continue;
         grid_walk w = plb_grid_walk(&t->cells, e.a, e.b, EDGE_MARGIN_MM);
@@ -178,7 +176,7 @@ static void mark_edges(topmost *t, uint32_t name)
     }
 }
 
-static bool hides_marked(topmost *t)
+static bool hides_marked(coverage_raster *t)
 {
     for (int row = 0; row < t->rows; row++)
         if (t->high[row] >= 0 && next_open(t, row, t->low[row]) <= t->high[row])
@@ -187,7 +185,7 @@ static bool hides_marked(topmost *t)
 }
 
 /* The rows whose middle an edge passes: from the first to before the last. */
-static void rows_passed(const topmost *t, edge e, int *first, int *last)
+static void rows_passed(const coverage_raster *t, shape_edge e, int *first, int *last)
 {
     double low = fmin(e.a.y, e.b.y) / t->cells.cell - .5, high = fmax(e.a.y, e.b.y) / t->cells.cell - .5;
     *first = (int)fmin(fmax(ceil(low), 0), t->rows);
@@ -201,7 +199,7 @@ static int compare_crossings(const void *a, const void *b)
 }
 
 /* Where the edges cross the rows' middles, row after row, from left to right. */
-static bool find_crossings(topmost *t)
+static bool find_crossings(coverage_raster *t)
 {
     int row, last;
     size_t *first = t->first + 1; /* of the row before: counted one on, so that filling moves it to its place */
@@ -218,7 +216,7 @@ static bool find_crossings(topmost *t)
     if (!array_reserve(&t->at, n))
         return false;
     for (size_t i = 0; i < t->edges.n; i++) {
-        edge e = t->edges.v[i];
+        shape_edge e = t->edges.v[i];
         for (rows_passed(t, e, &row, &last); row < last; row++) {
             double y = (row + .5) * t->cells.cell;
             t->at.v[first[row]++] = (crossing){e.a.x + (y - e.a.y) / (e.b.y - e.a.y) * (e.b.x - e.a.x), e.a.y < e.b.y ? 1 : -1};
@@ -231,7 +229,7 @@ static bool find_crossings(topmost *t)
 }
 
 /* Settles the open cells of a row from one column to another that hold no edge of the shape. */
-static void settle(topmost *t, int row, int from, int to, uint32_t name)
+static void settle(coverage_raster *t, int row, int from, int to, uint32_t name)
 {
     uint32_t *open = t->open + (size_t)row * ((size_t)t->columns + 1);
     for (int k = from <= to ? next_open(t, row, from) : t->columns; k <= to; k = next_open(t, row, k + 1)) {
@@ -245,7 +243,7 @@ static void settle(topmost *t, int row, int from, int to, uint32_t name)
 }
 
 /* Only cells that are within the box, but for those at the page's border, are settled. */
-static void fill(topmost *t, bool even_odd, box within, uint32_t name)
+static void fill(coverage_raster *t, bool even_odd, box within, uint32_t name)
 {
     double cell = t->cells.cell, more = EDGE_MARGIN_MM;
     int left = within.x0 <= 0 ? 0 : (int)ceil((within.x0 + more) / cell), right = (int)fmin(floor((within.x1 - more) / cell), t->columns) - 1;
@@ -267,10 +265,10 @@ static bool is_within(box b, box within)
     return b.x0 >= within.x0 && b.y0 >= within.y0 && b.x1 <= within.x1 && b.y1 <= within.y1;
 }
 
-bool plb_topmost_add(topmost *t, const path *shape, bool even_odd, box within, bool covers, size_t order, bool *is_hidden, error *err)
+bool plb_coverage_add(coverage_raster *t, const path *shape, bool even_odd, box within, bool covers, size_t order, bool *is_hidden, error *err)
 {
     *is_hidden = false;
-    if (t->work > MAX_WORK || order >= UINT32_MAX)
+    if (t->work > MAX_RASTER_WORK || order >= UINT32_MAX)
         return true;
     if (!find_edges(t, shape, err))
         return plb_fail_memory(err);
@@ -286,12 +284,12 @@ bool plb_topmost_add(topmost *t, const path *shape, bool even_odd, box within, b
 
 /* ---- questions ---- */
 
-static bool is_over(const topmost *t, size_t order, int64_t column, int64_t row)
+static bool is_over(const coverage_raster *t, size_t order, int64_t column, int64_t row)
 {
     return column >= 0 && row >= 0 && column < t->columns && row < t->rows && t->top[row * t->columns + column] > order + 1;
 }
 
-bool plb_topmost_is_over(const topmost *t, size_t order, point p)
+bool plb_coverage_is_over(const coverage_raster *t, size_t order, point p)
 {
     return is_over(t, order, plb_grid_cell(&t->cells, p.x), plb_grid_cell(&t->cells, p.y));
 }
@@ -302,7 +300,7 @@ typedef struct {
     int64_t way;
 } axis;
 
-static axis axis_of(const topmost *t, double from, double to)
+static axis axis_of(const coverage_raster *t, double from, double to)
 {
     double cell = t->cells.cell, length = to - from;
     if (length == 0)
@@ -311,7 +309,7 @@ static axis axis_of(const topmost *t, double from, double to)
     return (axis){(border - from) / length, cell / fabs(length), length > 0 ? 1 : -1};
 }
 
-bool plb_topmost_cross(const topmost *t, size_t order, point from, point to, crossings *at)
+bool plb_coverage_cross(const coverage_raster *t, size_t order, point from, point to, crossings *at)
 {
     double edge_x = t->columns * t->cells.cell, edge_y = t->rows * t->cells.cell;
     if (fmin(fmin(from.x, to.x), fmin(from.y, to.y)) < 0 || fmax(from.x, to.x) > edge_x || fmax(from.y, to.y) > edge_y)

@@ -9,19 +9,19 @@
 #include "plan/shape/region.h"
 #include "plan/track.h"
 
-typedef struct topmost topmost;
+typedef struct coverage_raster coverage_raster;
 
 /* For a page of that size, mm, and about `areas` areas. NULL when out of memory. */
-topmost *plb_topmost_new(double width, double height, size_t areas);
-void plb_topmost_free(topmost *t);
+coverage_raster *plb_coverage_new(double width, double height, size_t areas);
+void plb_coverage_free(coverage_raster *t);
 /* Whether areas added so far cover the box, mm, as far as it is on the page. */
-bool plb_topmost_hides_box(topmost *t, box b);
+bool plb_coverage_hides_box(coverage_raster *t, box b);
 /* As the above for the shape, which `within` holds; if not, and it `covers`, it is added as number `order`, as far as it
  * is within the box: the last area comes first. False and `err` when out of memory. */
-bool plb_topmost_add(topmost *t, const path *shape, bool even_odd, box within, bool covers, size_t order, bool *is_hidden, error *err);
+bool plb_coverage_add(coverage_raster *t, const path *shape, bool even_odd, box within, bool covers, size_t order, bool *is_hidden, error *err);
 /* Whether an area later than `order` covers the cell that the point is in. */
-bool plb_topmost_is_over(const topmost *t, size_t order, point p);
+bool plb_coverage_is_over(const coverage_raster *t, size_t order, point p);
 /* Appends where the segment passes from cells for which that holds to others, or back. False when out of memory. */
-bool plb_topmost_cross(const topmost *t, size_t order, point from, point to, crossings *at);
+bool plb_coverage_cross(const coverage_raster *t, size_t order, point from, point to, crossings *at);
 
 #endif

@@ -21,12 +21,10 @@
 
 /* Paint more opaque than this hides (chosen by eye: half-transparent tints do not). */
 #define OPAQUE 0.95
-/* A line no farther inside an area than this is on its edge, half seen: it stays (neighbours share outlines). */
-#define EDGE_MARGIN_MM 0.05
 /* Boxes to a node of the tree. */
 #define FAN 8
 /* The most looks at edges for one drawing, some seconds of them: beyond, nothing more is cut. */
-#define MAX_WORK 2e8
+#define MAX_EDGE_LOOKS 2e8
 
 typedef struct {
     box bounds;
@@ -41,14 +39,14 @@ typedef struct {
     size_t latest; /* the largest order below */
 } node;
 
-struct cover {
+struct occluders {
     const display_list *list;
-    const plan_options *how;
+    const plan_options *options;
     clipper *clips;
     ARRAY(area) areas;
     ARRAY(node) nodes; /* level after level, the areas' own boxes first */
     size_t level[12], levels; /* where each level starts; FAN to the power of 12 is beyond LIST_MAX_ITEMS */
-    topmost *raster; /* NULL where nothing hides */
+    coverage_raster *raster; /* NULL where nothing hides */
     bool *hidden;    /* of each item: no need to look at it */
     double work;
     size_t query_item; /* the item that asks */
@@ -96,7 +94,7 @@ static uint32_t spread(double unit)
     return (x | x << 1) & 0x55555555;
 }
 
-static bool add_area(cover *c, size_t i)
+static bool add_area(occluders *c, size_t i)
 {
     const display_list *list = c->list;
     box b = reach_of(list, &list->items.v[i]);
@@ -126,7 +124,7 @@ static node join(const node *first, size_t n)
     return all;
 }
 
-static bool build(cover *c)
+static bool build(occluders *c)
 {
     if (c->areas.n == 0)
         return true;
@@ -148,7 +146,7 @@ static bool build(cover *c)
 /* ---- what is hidden as a whole ---- */
 
 /* Whether the item's clips are upright boxes, so that its box within them says all. */
-static bool has_box_clips(const cover *c, const item *it)
+static bool has_box_clips(const occluders *c, const item *it)
 {
     for (int k = it->clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {
         const region *r = plb_clipper_region(c->clips, k, c->err);
@@ -158,49 +156,49 @@ static bool has_box_clips(const cover *c, const item *it)
     return true;
 }
 
-static bool look_at_shape(cover *c, size_t i, box within)
+static bool look_at_shape(occluders *c, size_t i, box within)
 {
     const item *it = &c->list->items.v[i];
-    bool covers = hides(it, c->how) && has_box_clips(c, it);
+    bool covers = hides(it, c->options) && has_box_clips(c, it);
     if (it->kind == ITEM_FILL)
-        return plb_topmost_add(c->raster, &it->path, it->even_odd, within, covers, i, &c->hidden[i], c->err);
+        return plb_coverage_add(c->raster, &it->path, it->even_odd, within, covers, i, &c->hidden[i], c->err);
     path outline = {0};
-    bool ok = !covers || (plb_wide_outline(it, &outline, c->err) && plb_topmost_add(c->raster, &outline, false, within, covers, i, &c->hidden[i], c->err));
+    bool ok = !covers || (plb_wide_outline(it, &outline, c->err) && plb_coverage_add(c->raster, &outline, false, within, covers, i, &c->hidden[i], c->err));
     plb_path_free(&outline);
     return ok;
 }
 
 /* From the last item to the first. */
-static bool find_hidden(cover *c)
+static bool find_hidden(occluders *c)
 {
     const display_list *list = c->list;
     if (c->areas.n == 0)
         return true;
-    c->raster = plb_topmost_new(list->width, list->height, c->areas.n);
+    c->raster = plb_coverage_new(list->width, list->height, c->areas.n);
     c->hidden = plb_new(list->items.n, sizeof *c->hidden);
     bool ok = c->raster && c->hidden;
     for (size_t i = list->items.n; ok && i-- > 0;) {
         box b = reach_of(list, &list->items.v[i]);
         if (b.x0 > b.x1 || b.y0 > b.y1)
             continue; /* beside the page */
-        c->hidden[i] = plb_topmost_hides_box(c->raster, b);
+        c->hidden[i] = plb_coverage_hides_box(c->raster, b);
         ok = c->hidden[i] || look_at_shape(c, i, b);
     }
     return ok;
 }
 
-bool plb_cover_hides_item(const cover *c, size_t i)
+bool plb_occluders_hide_item(const occluders *c, size_t i)
 {
     return c->hidden && c->hidden[i];
 }
 
-cover *plb_cover_new(const display_list *list, const plan_options *o, clipper *clips, error *err)
+occluders *plb_occluders_new(const display_list *list, const plan_options *o, clipper *clips, error *err)
 {
-    cover *c = plb_new(1, sizeof *c);
+    occluders *c = plb_new(1, sizeof *c);
     bool ok = c;
     if (ok) {
         c->list = list;
-        c->how = o;
+        c->options = o;
         c->clips = clips;
         c->err = err;
     }
@@ -208,12 +206,12 @@ cover *plb_cover_new(const display_list *list, const plan_options *o, clipper *c
         ok = !hides(&list->items.v[i], o) || add_area(c, i);
     if (ok && build(c) && find_hidden(c))
         return c;
-    plb_cover_free(c);
+    plb_occluders_free(c);
     plb_fail_memory(err);
     return NULL;
 }
 
-void plb_cover_free(cover *c)
+void plb_occluders_free(occluders *c)
 {
     if (!c)
         return;
@@ -221,20 +219,20 @@ void plb_cover_free(cover *c)
         plb_region_free(c->areas.v[i].region);
     array_free(&c->areas);
     array_free(&c->nodes);
-    plb_topmost_free(c->raster);
+    plb_coverage_free(c->raster);
     plb_tracks_free(&c->seen);
     plb_free(c->hidden);
     plb_free(c);
 }
 
-bool plb_cover_is_exhausted(const cover *c)
+bool plb_occluders_are_exhausted(const occluders *c)
 {
-    return c->work > MAX_WORK;
+    return c->work > MAX_EDGE_LOOKS;
 }
 
 /* ---- questions ---- */
 
-static region *make_region(cover *c, const item *it)
+static region *make_region(occluders *c, const item *it)
 {
     if (it->kind == ITEM_FILL)
         return plb_region_new(&it->path, it->even_odd, c->err);
@@ -244,7 +242,7 @@ static region *make_region(cover *c, const item *it)
     return r;
 }
 
-static const region *region_of(cover *c, area *a)
+static const region *region_of(occluders *c, area *a)
 {
     if (!a->region && !a->is_failed) {
         a->region = make_region(c, &c->list->items.v[a->order]);
@@ -254,18 +252,18 @@ static const region *region_of(cover *c, area *a)
 }
 
 /* Does something: true goes on to the next area. */
-typedef bool (*area_visit)(cover *c, area *a, void *closure);
+typedef bool (*area_visit)(occluders *c, area *a, void *closure);
 
 /* Whether something below the node may matter: a box that meets `b`, later than the one that asks, or any. */
-static bool concerns(cover *c, const node *at, const box *b)
+static bool concerns(occluders *c, const node *at, const box *b)
 {
     c->work++;
     bool apart = (at->bounds.x0 > b->x1) | (at->bounds.x1 < b->x0) | (at->bounds.y0 > b->y1) | (at->bounds.y1 < b->y0);
-    return !(apart | (c->query_above & (at->latest <= c->query_item)) | plb_cover_is_exhausted(c));
+    return !(apart | (c->query_above & (at->latest <= c->query_item)) | plb_occluders_are_exhausted(c));
 }
 
 /* Every such area below a node; false when a visit said so. */
-static bool visit(cover *c, size_t level, size_t k, const box *b, area_visit see, void *closure)
+static bool visit(occluders *c, size_t level, size_t k, const box *b, area_visit see, void *closure)
 {
     if (level == 0)
         return see(c, &c->areas.v[k], closure);
@@ -277,7 +275,7 @@ static bool visit(cover *c, size_t level, size_t k, const box *b, area_visit see
     return true;
 }
 
-static bool visit_all(cover *c, box b, area_visit see, void *closure)
+static bool visit_all(occluders *c, box b, area_visit see, void *closure)
 {
     return c->areas.n == 0 || !concerns(c, &c->nodes.v[c->nodes.n - 1], &b) || visit(c, c->levels - 1, 0, &b, see, closure);
 }
@@ -287,7 +285,7 @@ typedef struct {
     crossings *at;
 } cross_question;
 
-static bool cross_area(cover *c, area *a, void *closure)
+static bool cross_area(occluders *c, area *a, void *closure)
 {
     cross_question *q = closure;
     if ((a->order > c->query_item) != c->query_above)
@@ -305,10 +303,10 @@ static bool cross_area(cover *c, area *a, void *closure)
     return true;
 }
 
-static bool cross(cover *c, bool above, point from, point to, crossings *at)
+static bool cross(occluders *c, bool above, point from, point to, crossings *at)
 {
     c->query_above = above;
-    if (plb_cover_is_exhausted(c))
+    if (plb_occluders_are_exhausted(c))
         return true;
     box b = BOX_EMPTY;
     plb_box_add(&b, from);
@@ -316,7 +314,7 @@ static bool cross(cover *c, bool above, point from, point to, crossings *at)
     return visit_all(c, b, cross_area, &(cross_question){from, to, at});
 }
 
-static bool covers(cover *c, area *a, point p)
+static bool covers(occluders *c, area *a, point p)
 {
     const region *r = region_of(c, a);
     if (!r)
@@ -333,26 +331,26 @@ static bool covers(cover *c, area *a, point p)
 }
 
 /* Asks on while the point is not covered. */
-static bool leaves_open(cover *c, area *a, void *closure)
+static bool leaves_open(occluders *c, area *a, void *closure)
 {
     return !covers(c, a, *(const point *)closure);
 }
 
 static bool sees(const void *of, point p)
 {
-    cover *c = (cover *)of;
+    occluders *c = (occluders *)of;
     c->query_above = true;
-    return plb_cover_is_exhausted(c) || visit_all(c, (box){p.x, p.y, p.x, p.y}, leaves_open, &p);
+    return plb_occluders_are_exhausted(c) || visit_all(c, (box){p.x, p.y, p.x, p.y}, leaves_open, &p);
 }
 
 static bool cross_above(const void *of, point from, point to, crossings *at)
 {
-    return cross((cover *)of, true, from, to, at);
+    return cross((occluders *)of, true, from, to, at);
 }
 
 static bool cross_below(const void *of, point from, point to, crossings *at)
 {
-    return cross((cover *)of, false, from, to, at);
+    return cross((occluders *)of, false, from, to, at);
 }
 
 /* What lies on top below the item that asks. */
@@ -361,7 +359,7 @@ typedef struct {
     size_t next; /* one more than the order of the latest area found; 0: none */
 } ground_question;
 
-static bool find_ground(cover *c, area *a, void *closure)
+static bool find_ground(occluders *c, area *a, void *closure)
 {
     ground_question *q = closure;
     if (a->order < c->query_item && a->order >= q->next && covers(c, a, q->at))
@@ -376,14 +374,14 @@ static bool is_same_paint(const paint *a, const paint *b)
 
 static bool stands_out(const void *of, point p)
 {
-    cover *c = (cover *)of;
+    occluders *c = (occluders *)of;
     ground_question q = {p, 0};
     c->query_above = false;
     visit_all(c, (box){p.x, p.y, p.x, p.y}, find_ground, &q);
-    return plb_cover_is_exhausted(c) || q.next == 0 || !is_same_paint(&c->list->items.v[q.next - 1].paint, &c->list->items.v[c->query_item].paint);
+    return plb_occluders_are_exhausted(c) || q.next == 0 || !is_same_paint(&c->list->items.v[q.next - 1].paint, &c->list->items.v[c->query_item].paint);
 }
 
-static bool stop(cover *c, area *a, void *closure)
+static bool stop(occluders *c, area *a, void *closure)
 {
     (void)c, (void)a, (void)closure;
     return false;
@@ -393,18 +391,18 @@ static bool stop(cover *c, area *a, void *closure)
 
 static bool cross_raster(const void *of, point from, point to, crossings *at)
 {
-    const cover *c = of;
-    return plb_topmost_cross(c->raster, c->query_item, from, to, at);
+    const occluders *c = of;
+    return plb_coverage_cross(c->raster, c->query_item, from, to, at);
 }
 
 static bool is_open(const void *of, point p)
 {
-    const cover *c = of;
-    return !plb_topmost_is_over(c->raster, c->query_item, p);
+    const occluders *c = of;
+    return !plb_coverage_is_over(c->raster, c->query_item, p);
 }
 
 /* The parts of a track that the exact rule sees. */
-static bool cut(cover *c, const trim_rule *exact, const track *t, track_list *out, bool *is_part)
+static bool cut(occluders *c, const trim_rule *exact, const track *t, track_list *out, bool *is_part)
 {
     if (!c->raster)
         return plb_plan_trim(exact, t, out, is_part, c->err);
@@ -435,7 +433,7 @@ static void note_parts(track_list *out, size_t from, const track *whole)
     }
 }
 
-static bool hide(cover *c, const track *t, track_list *out)
+static bool hide(occluders *c, const track *t, track_list *out)
 {
     trim_rule exact = {cross_above, sees, c};
     size_t from = out->tracks.n;
@@ -450,7 +448,7 @@ static bool hide(cover *c, const track *t, track_list *out)
     return true;
 }
 
-bool plb_plan_hide(cover *c, size_t i, const track_list *in, track_list *out, error *err)
+bool plb_plan_hide(occluders *c, size_t i, const track_list *in, track_list *out, error *err)
 {
     bool ok = true;
     c->query_item = i;
@@ -462,7 +460,7 @@ bool plb_plan_hide(cover *c, size_t i, const track_list *in, track_list *out, er
     return ok;
 }
 
-bool plb_plan_fuse(cover *c, size_t i, const track_list *in, track_list *out, error *err)
+bool plb_plan_fuse(occluders *c, size_t i, const track_list *in, track_list *out, error *err)
 {
     trim_rule exact = {cross_below, stands_out, c};
     bool ok = true, is_part, fuses = is_opaque(&c->list->items.v[i]);

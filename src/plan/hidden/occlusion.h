@@ -9,20 +9,20 @@
 #include "plan/plan.h"
 
 /* All that hides in a drawing, ready to be asked. */
-typedef struct cover cover;
+typedef struct occluders occluders;
 
 /* Looks through the list; the clipper stays the caller's and must outlive the result. NULL and `err` on failure. */
-cover *plb_cover_new(const display_list *list, const plan_options *o, clipper *c, error *err);
-void plb_cover_free(cover *c);
+occluders *plb_occluders_new(const display_list *list, const plan_options *o, clipper *c, error *err);
+void plb_occluders_free(occluders *c);
 /* Whether item number `i` is hidden as a whole, as far as that is found by a glance: its plan can be left out. */
-bool plb_cover_hides_item(const cover *c, size_t i);
+bool plb_occluders_hide_item(const occluders *c, size_t i);
 /* Appends the parts of the tracks `in`, which belong to item number `i`, that no later item hides to `out`, and notes which are parts. False
  * and `err` when out of memory. */
-bool plb_plan_hide(cover *c, size_t i, const track_list *in, track_list *out, error *err);
+bool plb_plan_hide(occluders *c, size_t i, const track_list *in, track_list *out, error *err);
 /* Appends the parts of the tracks `in`, the outline of the filled item number `i`, that do not lie upon an area of the same paint:
  * shapes of one paint make one shape. */
-bool plb_plan_fuse(cover *c, size_t i, const track_list *in, track_list *out, error *err);
+bool plb_plan_fuse(occluders *c, size_t i, const track_list *in, track_list *out, error *err);
 /* Whether the work had a bound and reached it: what came after was not cut. */
-bool plb_cover_is_exhausted(const cover *c);
+bool plb_occluders_are_exhausted(const occluders *c);
 
 #endif

@@ -6,9 +6,6 @@
 
 #include "plan/shape/trim.h"
 
-/* A line that runs along the edge of a clip or of the page is half visible: it is kept, and so is what lies no
- * farther outside than this. */
-#define EDGE_MARGIN_MM 0.05
 
 struct clipper {
     const display_list *list;

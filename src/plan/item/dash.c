@@ -19,11 +19,11 @@
 #define TOUCH_MM 0.12
 /* A hand's dash ends this part of the shorter of dash and gap before or after its place, but at most that far away
  * (chosen by eye). */
-#define UNEVEN 0.15
+#define DASH_UNEVEN 0.15
 #define MAX_STRAY_MM 0.5
 
 /* A point painted with a round or square cap is a dot: a touch of the pencil this long (chosen by eye). */
-#define DOT_MM 0.12
+#define DOT_LENGTH_MM 0.12
 
 /* A walk along the dash pattern. */
 typedef struct {
@@ -57,7 +57,7 @@ static double length_of(const pattern *p, size_t k)
 /* How far from its place the running entry ends. */
 static double stray(const pattern *p)
 {
-    double most = fmin(length_of(p, p->k), length_of(p, p->k + 1)) * UNEVEN;
+    double most = fmin(length_of(p, p->k), length_of(p, p->k + 1)) * DASH_UNEVEN;
     return fmin(most, MAX_STRAY_MM) * (2 * random_unit(p->key, (uint64_t)(int64_t)p->index) - 1);
 }
 
@@ -181,7 +181,7 @@ static bool add_dot(const item *it, const track *t, const plan_options *o, track
     if (plb_is_wide(it, o))
         return plb_track_copy(out, t);
     point at = t->v[0].at;
-    track_point ends[2] = {{{at.x - DOT_MM / 2, at.y}, false}, {{at.x + DOT_MM / 2, at.y}, false}};
+    track_point ends[2] = {{{at.x - DOT_LENGTH_MM / 2, at.y}, false}, {{at.x + DOT_LENGTH_MM / 2, at.y}, false}};
     track dot = {.v = ends, .n = 2, .style = t->style};
     return it->cap == LINE_CAP_BUTT || plb_track_copy(out, &dot);
 }

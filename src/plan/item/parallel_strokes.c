@@ -13,9 +13,9 @@
 #define CLOSEST_WIDTHS 0.55
 #define FARTHEST_WIDTHS 3.0
 /* How far a pass strays from its place, as a part of their distance (chosen by eye). */
-#define UNEVEN 0.2
+#define PASS_UNEVEN 0.2
 /* The most passes of one line. */
-#define MAX_PASSES 400
+#define MAX_PARALLEL_PASSES 400
 
 static point left_of(point a, point b)
 {
@@ -104,12 +104,12 @@ bool plb_plan_passes(const item *it, const track *t, const plan_options *o, trac
     track centre = t->n == 1 ? stretch_dot(t, ends) : *t;
     double breadth = it->width - o->pencil_width, dark = 1 - plb_paint_lightness(it->paint);
     double apart = o->pencil_width * fmin(CLOSEST_WIDTHS / fmax(dark, 0.01), FARTHEST_WIDTHS);
-    int gaps = (int)fmin(ceil(breadth / apart), MAX_PASSES);
+    int gaps = (int)fmin(ceil(breadth / apart), MAX_PARALLEL_PASSES);
     uint64_t key = random_key(o->seed, hash_track(t), PURPOSE_PASS);
     bool ok = true;
     for (int i = 0; ok && i <= gaps; i++) {
         bool is_edge = i == 0 || i == gaps;
-        double stray = is_edge ? 0 : (random_unit(key, (uint64_t)i) - 0.5) * 2 * UNEVEN;
+        double stray = is_edge ? 0 : (random_unit(key, (uint64_t)i) - 0.5) * 2 * PASS_UNEVEN;
         double d = (i + stray) / gaps * breadth - breadth / 2;
         ok = build_pass(&centre, d, is_edge ? STROKE_LINE : STROKE_HATCH, out) || plb_fail_memory(err);
         if (ok && !t->closed)

@@ -14,8 +14,8 @@
 #define MIN_CORNERS 6
 /* Samples to a width, and the weights to either side: a standard deviation of half a width. */
 #define SAMPLES_PER_WIDTH 4.0
-#define SIDE 8
-static const double weights[SIDE + 1] = {12870, 11440, 8008, 4368, 1820, 560, 120, 16, 1};
+#define WEIGHTS_A_SIDE 8
+static const double weights[WEIGHTS_A_SIDE + 1] = {12870, 11440, 8008, 4368, 1820, 560, 120, 16, 1};
 
 typedef struct {
     const track *t;
@@ -69,7 +69,7 @@ static bool smooth_run(simplifier *c, size_t first, size_t last)
     bool ok = sample(c, first, last);
     for (long k = 1; ok && k + 1 < (long)c->samples.n; k++) {
         point sum = point_scale(sample_at(c, k), weights[0] / 65536);
-        for (long side = 1; side <= SIDE; side++)
+        for (long side = 1; side <= WEIGHTS_A_SIDE; side++)
             sum = point_add(sum, point_scale(point_add(sample_at(c, k - side), sample_at(c, k + side)), weights[side] / 65536));
         track_point p = {sum, false};
         ok = add(c, p);

@@ -19,7 +19,7 @@
 #define THIN_MM 1.2          /* up to this when the letters are small */
 #define SMALL_MM 8.0
 #define COMPACT 0.85         /* largest radius to 2 area / perimeter: above, and */
-#define ROUND 3.6            /* perimeter^2 to 4 pi area: below, a dot or an arrowhead; a disc 1, a triangle 1 x 4 3.3 */
+#define MAX_ROUNDNESS 3.6            /* perimeter^2 to 4 pi area: below, a dot or an arrowhead; a disc 1, a triangle 1 x 4 3.3 */
 #define DOT_STEMS 5.0        /* largest size of the dots and commas among letters */
 #define LONE_DOT_PENCILS 1.3 /* a dot by itself is lettering up to this size */
 #define MIN_RING_MM 0.07
@@ -185,7 +185,7 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
     if (!fill_raster(&r, part, &stem, err))
         return false;
     double radius = r.largest * r.pixel;
-    bool ok = true, compact = radius > COMPACT * stem && part->perimeter < ROUND * 2 * PLB_PI * stem; /* P^2/A = 2 P / stem */
+    bool ok = true, compact = radius > COMPACT * stem && part->perimeter < MAX_ROUNDNESS * 2 * PLB_PI * stem; /* P^2/A = 2 P / stem */
     *taken = r.width && is_thin(l, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->options->pencil_width);
     if (*taken && compact)
         *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->options->pencil_width);

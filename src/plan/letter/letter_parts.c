@@ -13,7 +13,7 @@
 #include <string.h>
 
 /* What lettering may have; beyond, a fill is left to others before it costs time. */
-#define MAX_POINTS 400000u       /* of a fill, flattened */
+#define MAX_FILL_POINTS 400000u       /* of a fill, flattened */
 #define MAX_CONTOUR_POINTS 5000u /* of one contour: the @ has 120 */
 #define MAX_NESTED 2000u         /* contours of a fill by the even-odd rule */
 #define MAX_TESTS 40000000u      /* of edges against edges */
@@ -37,7 +37,7 @@ static bool add_contour(sheet *s, const track *t)
     size_t n = t->closed ? t->n - 1 : t->n;
     if (n < 3 || s->too_much)
         return true;
-    s->too_much = n > MAX_CONTOUR_POINTS || s->points.n + n > MAX_POINTS;
+    s->too_much = n > MAX_CONTOUR_POINTS || s->points.n + n > MAX_FILL_POINTS;
     contour c = {.bounds = BOX_EMPTY, .first = s->points.n, .n = n, .parent = (int)s->contours.n};
     if (!array_reserve(&s->points, n) || !array_reserve(&s->contours, 1))
         return false;
@@ -209,7 +209,7 @@ bool plb_letter_split(letter_parts *p, const item *fill, error *err)
 {
     sheet s = {0};
     memset(p, 0, sizeof *p);
-    bool ok = fill->path.points.n > MAX_POINTS || add_contours(&s, &fill->path, err);
+    bool ok = fill->path.points.n > MAX_FILL_POINTS || add_contours(&s, &fill->path, err);
     if (ok && !s.too_much)
         ok = relate_all(&s);
     if (ok && !s.too_much && fill->even_odd)

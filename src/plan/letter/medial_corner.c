@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-#define TURN_DEGREES 50.0
+#define MIN_TURN_DEGREES 50.0
 #define THICKER 1.22 /* chosen by eye; 1.15 at a turn of 60 degrees, and a pixel in eight is noise */
 #define SHARP_DEGREES 120.0
 #define THICKER_SHARP 1.1 /* the flat top of an A leaves no more */
@@ -105,10 +105,10 @@ static size_t find_corner(const medial *m, const medial_branch *b, const raster 
         side before = look(m, b, i, -1), after = look(m, b, i, 1);
         point out = {0, 0};
         double turn = turn_at(m, b, p.radius, &before, &after, &out) * 180 / PLB_PI;
-        if (turn < TURN_DEGREES)
+        if (turn < MIN_TURN_DEGREES)
             continue;
         double usual = 2 * fmax(before.thickest, after.thickest) + 0.5; /* an axis between two pixels is off by half of one */
-        double thicker = thickness(r, p.at, out) / usual + (THICKER - THICKER_SHARP) * fmin(1, (turn - TURN_DEGREES) / (SHARP_DEGREES - TURN_DEGREES));
+        double thicker = thickness(r, p.at, out) / usual + (THICKER - THICKER_SHARP) * fmin(1, (turn - MIN_TURN_DEGREES) / (SHARP_DEGREES - MIN_TURN_DEGREES));
         if (thicker > most) {
             most = thicker;
             found = i;

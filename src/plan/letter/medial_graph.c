@@ -19,7 +19,7 @@ typedef struct {
     medial *m;
     int *owner;      /* of each pixel: 0 none, n > 0: node n - 1, -1: of a branch that is traced */
     ARRAY(int) stack;
-} reader;
+} graph_maker;
 
 void plb_medial_free(medial *m)
 {
@@ -28,12 +28,12 @@ void plb_medial_free(medial *m)
     array_free(&m->points);
 }
 
-static int neighbour(const reader *g, int i, int k)
+static int neighbour(const graph_maker *g, int i, int k)
 {
     return i + step_y[k] * g->r->width + step_x[k];
 }
 
-static int count_neighbours(const reader *g, int i)
+static int count_neighbours(const graph_maker *g, int i)
 {
     int n = 0;
     for (int k = 0; k < 8; k++)
@@ -41,14 +41,14 @@ static int count_neighbours(const reader *g, int i)
     return n;
 }
 
-static medial_point point_of(const reader *g, int i)
+static medial_point point_of(const graph_maker *g, int i)
 {
     point at = {i % g->r->width + 0.5, i / g->r->width + 0.5};
     return (medial_point){at, g->r->radius[i]};
 }
 
 /* All joint pixels that hang together with `i` become one node in their middle. */
-static bool add_node(reader *g, int i)
+static bool add_node(graph_maker *g, int i)
 {
     medial_node node = {.radius = 0};
     int members = 0, id = (int)g->m->nodes.n + 1;
@@ -76,7 +76,7 @@ static bool add_node(reader *g, int i)
     return array_push(&g->m->nodes, node);
 }
 
-static bool add_nodes(reader *g)
+static bool add_nodes(graph_maker *g)
 {
     int n = g->r->width * g->r->height;
     for (int i = 0; i < n; i++)
@@ -119,7 +119,7 @@ static bool push_node(medial *m, int node)
 }
 
 /* From the chain pixel `i`, a neighbour of node `from`, along the chain to the next node. */
-static bool trace(reader *g, int from, int i)
+static bool trace(graph_maker *g, int from, int i)
 {
     size_t first = g->m->points.n;
     int to = -1;
@@ -146,7 +146,7 @@ static bool trace(reader *g, int from, int i)
 }
 
 /* Branches start at the free chain pixels beside a node's pixels; nodes that touch directly are one node already. */
-static bool trace_from_nodes(reader *g)
+static bool trace_from_nodes(graph_maker *g)
 {
     int n = g->r->width * g->r->height;
     for (int i = 0; i < n; i++)
@@ -166,7 +166,7 @@ static bool trace_from_nodes(reader *g)
 }
 
 /* Rings without a joint: a node anywhere on them. */
-static bool trace_rings(reader *g)
+static bool trace_rings(graph_maker *g)
 {
     int n = g->r->width * g->r->height;
     for (int i = 0; i < n; i++)
@@ -191,7 +191,7 @@ static bool trace_rings(reader *g)
 bool plb_medial_graph(medial *m, const raster *r, error *err)
 {
     memset(m, 0, sizeof *m);
-    reader g = {.r = r, .m = m, .owner = plb_new((size_t)r->width * (size_t)r->height, sizeof(int))};
+    graph_maker g = {.r = r, .m = m, .owner = plb_new((size_t)r->width * (size_t)r->height, sizeof(int))};
     bool ok = g.owner && add_nodes(&g) && trace_from_nodes(&g) && trace_rings(&g);
     plb_free(g.owner);
     array_free(&g.stack);

@@ -10,7 +10,7 @@
 
 /* In stem thicknesses, chosen by eye. */
 #define STRAIGHT 0.16 /* a piece that keeps within this of its chord is straight */
-#define STEP 0.3      /* between points */
+#define POINT_STEP 0.3      /* between points */
 #define SIGMA 0.55    /* of the average */
 
 typedef ARRAY(point) polyline;
@@ -55,7 +55,7 @@ static bool resample(const pen_point *p, size_t n, double step, polyline *out)
 /* Passes of (1 2 1)/4: each adds 1/2 to the variance, in steps squared. `ring`: the ends are one point like any. */
 static void average(polyline *q, bool ring)
 {
-    int passes = (int)lround(2 * (SIGMA / STEP) * (SIGMA / STEP));
+    int passes = (int)lround(2 * (SIGMA / POINT_STEP) * (SIGMA / POINT_STEP));
     size_t n = q->n;
     for (int pass = 0; pass < passes; pass++) {
         point before = ring ? q->v[n - 2] : q->v[0];
@@ -75,7 +75,7 @@ static bool smooth_piece(const pen_point *p, size_t n, bool ring, double stem, p
     q->n = 0;
     if (!ring && is_straight(p, n, STRAIGHT * stem))
         return array_push(q, p[0].at) && array_push(q, p[n - 1].at);
-    if (!resample(p, n, STEP * stem, q))
+    if (!resample(p, n, POINT_STEP * stem, q))
         return false;
     average(q, ring);
     return true;

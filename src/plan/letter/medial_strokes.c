@@ -33,7 +33,7 @@ typedef struct {
     arm_end *arms; /* 2 for each branch */
     bool *drawn;   /* branches */
     pen *out;
-} joiner;
+} stroke_maker;
 
 void plb_pen_free(pen *p)
 {
@@ -44,7 +44,7 @@ void plb_pen_free(pen *p)
 /* ---- free ends ---- */
 
 /* From the anchor straight on to the shape's edge. */
-static void extend_to_tip(const joiner *j, arm_end *e)
+static void extend_to_tip(const stroke_maker *j, arm_end *e)
 {
     point back = point_scale(e->arm.outward, -1), p = e->arm.anchor;
     double step = 0.5, gone = 0, most = 3 * e->arm.radius + plb_point_distance(p, j->m->nodes.v[e->arm.node].at);
@@ -57,7 +57,7 @@ static void extend_to_tip(const joiner *j, arm_end *e)
 
 /* ---- joints ---- */
 
-static void set_pair(joiner *j, int a, int b, joint_kind kind, point place)
+static void set_pair(stroke_maker *j, int a, int b, joint_kind kind, point place)
 {
     j->arms[a].kind = j->arms[b].kind = kind;
     j->arms[a].mate = b;
@@ -65,14 +65,14 @@ static void set_pair(joiner *j, int a, int b, joint_kind kind, point place)
     j->arms[a].place = j->arms[b].place = place;
 }
 
-static void set_end(joiner *j, int a, point place)
+static void set_end(stroke_maker *j, int a, point place)
 {
     j->arms[a].kind = TO_POINT;
     j->arms[a].place = place;
 }
 
 /* The point that lies nearest to all arms' lines: least squares. Kept near the joint. */
-static point meeting_point(const joiner *j, const int *arm, int n, int node)
+static point meeting_point(const stroke_maker *j, const int *arm, int n, int node)
 {
     double xx = 1e-3, xy = 0, yy = 1e-3;
     point here = j->m->nodes.v[node].at, sum = point_scale(here, 1e-3);
@@ -90,7 +90,7 @@ static point meeting_point(const joiner *j, const int *arm, int n, int node)
 }
 
 /* A ring turns by itself: what an even one turns between the places where the directions of its two ends are taken. */
-static double turn_of_ring(const joiner *j, const int *arm, int node)
+static double turn_of_ring(const stroke_maker *j, const int *arm, int node)
 {
     const medial_arm *a = &j->arms[arm[0]].arm, *b = &j->arms[arm[1]].arm;
     point here = j->m->nodes.v[node].at;
@@ -100,7 +100,7 @@ static double turn_of_ring(const joiner *j, const int *arm, int node)
     return fmin(2 * PLB_PI * part / j->m->branches.v[arm[0] / 2].length, PLB_PI / 2);
 }
 
-static void make_corner(joiner *j, const int *arm, int node)
+static void make_corner(stroke_maker *j, const int *arm, int node)
 {
     const medial_arm *a = &j->arms[arm[0]].arm, *b = &j->arms[arm[1]].arm;
     if (plb_medial_arms_bend(a, b) - turn_of_ring(j, arm, node) < SMOOTH_DEGREES * PLB_PI / 180) {
@@ -115,7 +115,7 @@ static void make_corner(joiner *j, const int *arm, int node)
 }
 
 /* Where the arm's line hits the stroke through a and b, which is straight there; else the joint's middle. */
-static point hit(const joiner *j, int arm, int a, int b)
+static point hit(const stroke_maker *j, int arm, int a, int b)
 {
     const medial_arm *k = &j->arms[arm].arm;
     point from = j->arms[a].arm.anchor, along = point_sub(j->arms[b].arm.anchor, from);
@@ -132,7 +132,7 @@ typedef struct {
     double bend;
 } pairing;
 
-static pairing best_pair(const joiner *j, const int *arm, int n)
+static pairing best_pair(const stroke_maker *j, const int *arm, int n)
 {
     pairing best = {-1, -1, 10};
     for (int i = 0; i < n; i++)
@@ -145,7 +145,7 @@ static pairing best_pair(const joiner *j, const int *arm, int n)
     return best;
 }
 
-static void make_joint(joiner *j, const int *arm, int n, int node)
+static void make_joint(stroke_maker *j, const int *arm, int n, int node)
 {
     pairing first = best_pair(j, arm, n);
     double straight = (n == 4 ? CROSSING_DEGREES : STRAIGHT_DEGREES) * PLB_PI / 180;
@@ -163,7 +163,7 @@ static void make_joint(joiner *j, const int *arm, int n, int node)
 }
 
 /* The arms at each node, as linked lists: head[node], next[arm]. */
-static void solve_joints(joiner *j, const int *head, const int *next)
+static void solve_joints(stroke_maker *j, const int *head, const int *next)
 {
     for (size_t k = 0; k < j->m->nodes.n; k++) {
         int arm[MAX_ARMS], n = 0;
@@ -195,7 +195,7 @@ static bool add_point(pen *out, point at, bool corner)
 }
 
 /* The branch entered by arm `a` up to its other end. */
-static bool add_branch(joiner *j, int a)
+static bool add_branch(stroke_maker *j, int a)
 {
     size_t i = j->arms[a].arm.cut, last = j->arms[a ^ 1].arm.cut, step = (size_t)j->arms[a].arm.step;
     size_t n = step == 1 ? last - i : i - last;
@@ -208,7 +208,7 @@ static bool add_branch(joiner *j, int a)
 }
 
 /* From arm `a` through all joints that lead on. */
-static bool add_stroke(joiner *j, int a)
+static bool add_stroke(stroke_maker *j, int a)
 {
     pen_stroke s = {.first = j->out->points.n};
     int start = a;
@@ -235,7 +235,7 @@ static bool add_stroke(joiner *j, int a)
     return true;
 }
 
-static bool add_strokes(joiner *j, bool rings)
+static bool add_strokes(stroke_maker *j, bool rings)
 {
     for (size_t b = 0; b < j->m->branches.n; b++)
         for (int end = 0; end < 2; end++) {
@@ -247,7 +247,7 @@ static bool add_strokes(joiner *j, bool rings)
     return true;
 }
 
-static bool add_dots(joiner *j)
+static bool add_dots(stroke_maker *j)
 {
     for (size_t k = 0; k < j->m->nodes.n; k++) {
         const medial_node *node = &j->m->nodes.v[k];
@@ -259,7 +259,7 @@ static bool add_dots(joiner *j)
     return true;
 }
 
-static void link_arms(joiner *j, int *head, int *next)
+static void link_arms(stroke_maker *j, int *head, int *next)
 {
     for (size_t k = 0; k < j->m->nodes.n; k++)
         head[k] = -1;
@@ -276,7 +276,7 @@ bool plb_medial_strokes(const medial *m, const raster *r, double nib, pen *out, 
 {
     memset(out, 0, sizeof *out);
     size_t arms = 2 * m->branches.n + 1;
-    joiner j = {.m = m, .r = r, .nib = nib, .out = out};
+    stroke_maker j = {.m = m, .r = r, .nib = nib, .out = out};
     j.arms = plb_new(arms, sizeof *j.arms);
     j.drawn = plb_new(arms, sizeof *j.drawn);
     int *head = plb_new(m->nodes.n + 1, sizeof *head), *next = plb_new(arms, sizeof *next);

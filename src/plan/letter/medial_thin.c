@@ -47,14 +47,14 @@ static verdict judge(unsigned bits)
 /* A tip stays where the disc around it does not grow by nearly a whole step towards a neighbour: it then is part of an
  * axis. The axis of a wedge grows by the sine of half its angle: so it stays in wedges sharper than 76 degrees, and a
  * stem's square end gets no forks into its corners. */
-#define STEEPEST 0.62
+#define MIN_RIDGE_SLOPE 0.62
 
 static bool is_ridge(const raster *r, int i)
 {
     for (int dy = -1; dy <= 1; dy++)
         for (int dx = -1; dx <= 1; dx++) {
             double step = dx && dy ? 1.41421356 : 1;
-            if (r->radius[i + dy * r->width + dx] - r->radius[i] > STEEPEST * step)
+            if (r->radius[i + dy * r->width + dx] - r->radius[i] > MIN_RIDGE_SLOPE * step)
                 return false;
         }
     return true;

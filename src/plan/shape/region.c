@@ -12,12 +12,12 @@
 
 typedef struct {
     point a, b;
-} edge;
+} region_edge;
 
 struct region {
     bool even_odd, is_box;
     box bounds;
-    ARRAY(edge) edges;
+    ARRAY(region_edge) edges;
     size_t bands;
     double band_height;
     size_t *first;   /* bands + 1: where each band's edges start in `listed` */
@@ -30,7 +30,7 @@ static bool add_edges(region *r, const track *t)
     if (!array_reserve(&r->edges, t->n))
         return false;
     for (size_t i = 0; i < t->n; i++) {
-        edge e = {t->v[i].at, t->v[(i + 1) % t->n].at};
+        region_edge e = {t->v[i].at, t->v[(i + 1) % t->n].at};
         plb_box_add(&r->bounds, e.a);
         if (e.a.y != e.b.y || e.a.x != e.b.x)
             r->edges.v[r->edges.n++] = e;
@@ -67,7 +67,7 @@ static inline double higher(double a, double b)
     return a > b ? a : b;
 }
 
-static void band_range(const region *r, edge e, size_t *low, size_t *high)
+static void band_range(const region *r, region_edge e, size_t *low, size_t *high)
 {
     *low = band_of(r, lower(e.a.y, e.b.y));
     *high = band_of(r, higher(e.a.y, e.b.y));
@@ -124,7 +124,7 @@ static bool looks_like_box(const region *r)
     if (r->edges.n != 4)
         return false;
     for (size_t i = 0; i < 4; i++) {
-        edge e = r->edges.v[i];
+        region_edge e = r->edges.v[i];
         bool upright = fabs(e.a.x - e.b.x) < slack, level = fabs(e.a.y - e.b.y) < slack;
         if (upright == level)
             return false;
@@ -171,14 +171,14 @@ bool plb_region_is_box(const region *r)
 }
 
 /* Whether p lies beyond the edge's box by more than the margin. */
-static bool is_clear_of(edge e, point p, double margin)
+static bool is_clear_of(region_edge e, point p, double margin)
 {
     double more = margin + 1e-6; /* far above what rounding does */
     return ((e.a.x > p.x + more) & (e.b.x > p.x + more)) | ((e.a.x < p.x - more) & (e.b.x < p.x - more)) |
            ((e.a.y > p.y + more) & (e.b.y > p.y + more)) | ((e.a.y < p.y - more) & (e.b.y < p.y - more));
 }
 
-static double distance_to_edge(edge e, point p)
+static double distance_to_edge(region_edge e, point p)
 {
     point d = point_sub(e.b, e.a);
     double t = point_dot(point_sub(p, e.a), d) / point_dot(d, d);
@@ -188,7 +188,7 @@ static double distance_to_edge(edge e, point p)
 
 /* Whether the edge crosses the level of p to its right. Most lie so far aside that no division tells more; the slack is far
  * above what rounding does. */
-static bool is_right_of(edge e, point p)
+static bool is_right_of(region_edge e, point p)
 {
     const double slack = 1e-6;
     if (e.a.x > p.x + slack && e.b.x > p.x + slack)
@@ -205,7 +205,7 @@ static bool is_inside(const region *r, point p)
     int winding = 0, crossed = 0;
     size_t k = band_of(r, p.y);
     for (size_t i = r->first[k]; i < r->first[k + 1]; i++) {
-        edge e = r->edges.v[r->listed[i]];
+        region_edge e = r->edges.v[r->listed[i]];
         if ((e.a.y <= p.y) == (e.b.y <= p.y))
             continue;
         if (is_right_of(e, p)) {
@@ -222,7 +222,7 @@ static bool is_near_edge(const region *r, point p, double margin)
         return false;
     for (size_t k = band_of(r, p.y - margin), last = band_of(r, p.y + margin); k <= last; k++)
         for (size_t i = r->first[k]; i < r->first[k + 1]; i++) {
-            edge e = r->edges.v[r->listed[i]];
+            region_edge e = r->edges.v[r->listed[i]];
             if (!is_clear_of(e, p, margin) && distance_to_edge(e, p) <= margin)
                 return true;
         }
@@ -246,7 +246,7 @@ double plb_region_work(const region *r, point from, point to)
 }
 
 /* Where edge and segment meet, if they do: signs and sizes tell it before anything is divided. */
-static bool meets(edge e, point from, point d, double *at)
+static bool meets(region_edge e, point from, point d, double *at)
 {
     point s = point_sub(e.b, e.a), w = point_sub(e.a, from);
     double det = point_cross(d, s), t = point_cross(w, s), u = point_cross(w, d), size = fabs(det);
@@ -258,7 +258,7 @@ static bool meets(edge e, point from, point d, double *at)
 }
 
 /* An edge is listed in several bands: it counts in the first that the segment passes, too. */
-static bool is_first_band(const region *r, edge e, size_t segment_low, size_t k)
+static bool is_first_band(const region *r, region_edge e, size_t segment_low, size_t k)
 {
     size_t low, high;
     band_range(r, e, &low, &high);
@@ -274,7 +274,7 @@ bool plb_region_cross(const region *r, point from, point to, crossings *at)
     size_t first = band_of(r, low), last = band_of(r, high);
     for (size_t k = first; k <= last; k++)
         for (size_t i = r->first[k]; i < r->first[k + 1]; i++) {
-            edge e = r->edges.v[r->listed[i]];
+            region_edge e = r->edges.v[r->listed[i]];
             if (meets(e, from, d, &t) && is_first_band(r, e, first, k) && !array_push(at, t))
                 return false;
         }

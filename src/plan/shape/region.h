@@ -10,6 +10,10 @@
 #include "base/error.h"
 #include "base/geometry/path.h"
 
+/* A line along the edge of an area or of the page is half seen: it stays, and so does a line no farther beyond the edge than this
+ * (neighbours share outlines). */
+#define EDGE_MARGIN_MM 0.05
+
 typedef struct region region;
 typedef ARRAY(double) crossings;
 

@@ -5,7 +5,7 @@
  * Input: the strokes in the order of the items, mm. Output: hatch lines cut where lettering that was painted later is near.
  */
 #include "plan/shape/grid.h"
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -14,14 +14,14 @@
  * many widths of the pencil (chosen by eye). */
 #define CLEAR_MM 0.25
 #define SHORTEST_WIDTHS 2.5
-#define CELL_MM 2.0
+#define CLEARANCE_CELL_MM 2.0
 /* Bounds on the work: looks at letters for one line, and for all. Beyond, lines are left as they are. */
-#define MAX_LOOKS 20000
-#define MAX_LOOKS_OF_ALL 2e8
+#define MAX_CLEARANCE_LOOKS 20000
+#define MAX_CLEARANCE_LOOKS_OF_ALL 2e8
 
 typedef struct {
     double from, to; /* parameters along the line, 0 to 1 */
-} run;
+} blocked_span;
 
 typedef struct {
     point a, b;
@@ -35,17 +35,17 @@ typedef struct {
     double looks;
     grid where;
     ARRAY(letter_line) lines;
-    ARRAY(run) runs; /* of the hatch line at work, that are too near */
+    ARRAY(blocked_span) runs; /* of the hatch line at work, that are too near */
 } clearing;
 
-static void widen(run *r, double t)
+static void widen(blocked_span *r, double t)
 {
     r->from = fmin(r->from, t);
     r->to = fmax(r->to, t);
 }
 
 /* Where the line from a, `d` long, passes through the disc about c. */
-static void cross_disc(point a, point d, point c, double radius, run *r)
+static void cross_disc(point a, point d, point c, double radius, blocked_span *r)
 {
     point m = point_sub(a, c);
     double dd = point_dot(d, d), half = point_dot(m, d), root = half * half - dd * (point_dot(m, m) - radius * radius);
@@ -56,7 +56,7 @@ static void cross_disc(point a, point d, point c, double radius, run *r)
 }
 
 /* … and through the band of `radius` to both sides of the segment. */
-static void cross_band(point a, point d, const letter_line *l, double radius, run *r)
+static void cross_band(point a, point d, const letter_line *l, double radius, blocked_span *r)
 {
     point e = point_sub(l->b, l->a), m = point_sub(a, l->a);
     double length = plb_point_length(e), from = -INFINITY, to = INFINITY;
@@ -103,10 +103,10 @@ static bool find_runs(clearing *c, size_t i, point a, point b)
     int64_t column, row;
     grid_walk w = plb_grid_walk(&c->where, a, b, c->reach);
     size_t looks = 0;
-    while (looks < MAX_LOOKS && plb_grid_step(&w, &column, &row))
-        for (uint32_t k = plb_grid_first(&c->where, column, row); k != GRID_END && looks < MAX_LOOKS; k = c->where.entries.v[k].next) {
+    while (looks < MAX_CLEARANCE_LOOKS && plb_grid_step(&w, &column, &row))
+        for (uint32_t k = plb_grid_first(&c->where, column, row); k != GRID_END && looks < MAX_CLEARANCE_LOOKS; k = c->where.entries.v[k].next) {
             const letter_line *l = &c->lines.v[c->where.entries.v[k].value];
-            run r = {INFINITY, -INFINITY};
+            blocked_span r = {INFINITY, -INFINITY};
             looks++;
             if (l->stroke < i)
                 continue;
@@ -122,7 +122,7 @@ static bool find_runs(clearing *c, size_t i, point a, point b)
 
 static int compare_runs(const void *a, const void *b)
 {
-    const run *x = a, *y = b;
+    const blocked_span *x = a, *y = b;
     return (x->from > y->from) - (x->from < y->from);
 }
 
@@ -146,7 +146,7 @@ static bool clear_stroke(clearing *c, size_t i)
     const stroke *s = &c->list->strokes.v[i];
     const point *v = c->list->points.v + s->first;
     c->runs.n = 0;
-    if (s->style.kind == STROKE_HATCH && s->n == 2 && c->looks < MAX_LOOKS_OF_ALL && !find_runs(c, i, v[0], v[1]))
+    if (s->style.kind == STROKE_HATCH && s->n == 2 && c->looks < MAX_CLEARANCE_LOOKS_OF_ALL && !find_runs(c, i, v[0], v[1]))
         return false;
     return c->runs.n ? send_pieces(c, s, v[0], v[1]) : plb_plan_append(&c->made, s, v, s->n);
 }
@@ -161,7 +161,7 @@ bool plb_plan_clearance(stroke_list *list, double width, error *err)
     if (letters == 0)
         return true;
     clearing c = {.list = list, .made = {.width = list->width, .height = list->height}, .reach = width + CLEAR_MM, .shortest = SHORTEST_WIDTHS * width};
-    bool ok = plb_grid_init(&c.where, CELL_MM, 8 * letters);
+    bool ok = plb_grid_init(&c.where, CLEARANCE_CELL_MM, 8 * letters);
     for (size_t i = 0; ok && i < list->strokes.n; i++)
         ok = list->strokes.v[i].style.kind != STROKE_LETTER || put_letter(&c, i);
     for (size_t i = 0; ok && i < list->strokes.n; i++)

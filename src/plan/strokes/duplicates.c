@@ -6,7 +6,7 @@
  */
 #include "base/geometry/interpolate.h"
 #include "plan/shape/grid.h"
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -16,7 +16,7 @@
 #define SHORTEST_RUN_MM 1.0
 #define MAX_OF_STROKE 0.9
 /* Directions that differ by more than this are no doubles. */
-#define TURN_DEGREES 5.7
+#define MAX_TURN_DEGREES 5.7
 /* … of lines as upright as this the one may lead to the right, the other to the left: the sine of twice that. */
 #define UPRIGHT 0.2
 /* Segments are kept apart on the grid by their direction: in so many parts of half a turn. */
@@ -30,13 +30,13 @@
 #define CELL_DISTANCES 6.0
 #define MAX_CELLS 8e6
 /* Looks at neighbours for one segment: where more lines lie upon each other it is a blot anyway. */
-#define MAX_LOOKS 1024
+#define MAX_DUPLICATE_LOOKS 1024
 /* … and for all, some seconds of them: beyond, what lies upon each other stays. */
-#define MAX_LOOKS_OF_ALL 1e8
+#define MAX_DUPLICATE_LOOKS_OF_ALL 1e8
 
 typedef struct {
     double from, to; /* arc lengths, mm */
-} run;
+} covered_span;
 
 typedef struct {
     point a, b;
@@ -48,13 +48,13 @@ typedef struct {
     double tolerance, least_cosine, looks;
     grid where;
     ARRAY(drawn) segments; /* of the strokes made, on the grid */
-    ARRAY(run) runs;       /* of the stroke at work, that lie upon others */
+    ARRAY(covered_span) runs;       /* of the stroke at work, that lie upon others */
     ARRAY(point) piece;
-} undoubler;
+} duplicate_finder;
 
 static int compare_runs(const void *a, const void *b)
 {
-    const run *x = a, *y = b;
+    const covered_span *x = a, *y = b;
     return x->from != y->from ? (x->from > y->from) - (x->from < y->from) : (x->to > y->to) - (x->to < y->to);
 }
 
@@ -64,7 +64,7 @@ static bool stands_for(stroke_style earlier, stroke_style later)
 }
 
 /* The part of the segment from a along the unit vector `along`, `length` long, that lies within tolerance of `d`. */
-static bool overlap(const undoubler *u, point a, point along, double length, const drawn *d, run *out)
+static bool overlap(const duplicate_finder *u, point a, point along, double length, const drawn *d, covered_span *out)
 {
     point p = point_sub(d->a, a), q = point_sub(d->b, a);
     double hp = point_cross(along, p), hq = point_cross(along, q), t = u->tolerance;
@@ -79,7 +79,7 @@ static bool overlap(const undoubler *u, point a, point along, double length, con
         from = fmax(from, fmin(s0, s1));
         to = fmin(to, fmax(s0, s1));
     }
-    *out = (run){from, to};
+    *out = (covered_span){from, to};
     return to - from > 1e-9;
 }
 
@@ -93,9 +93,9 @@ static double mark_of(const grid *g, point a, point along, int64_t column, int64
 }
 
 /* Lines of about one direction have marks as far apart as they are at most, and by their turn across half a cell a little more. */
-static double most_apart(const undoubler *u)
+static double most_apart(const duplicate_finder *u)
 {
-    double turn = 2 * sin(TURN_DEGREES / 2 * PLB_PI / 180), half_cell = u->where.cell * sqrt(0.5);
+    double turn = 2 * sin(MAX_TURN_DEGREES / 2 * PLB_PI / 180), half_cell = u->where.cell * sqrt(0.5);
     return u->tolerance + turn * half_cell + 1e-5 * u->where.cell; /* and marks are rounded */
 }
 
@@ -116,7 +116,7 @@ typedef struct {
 typedef struct {
     uint32_t next;
     double mark;
-} chain;
+} hash_cursor;
 
 static bool is_apart(const question *q, double own, double mark)
 {
@@ -124,24 +124,24 @@ static bool is_apart(const question *q, double own, double mark)
     return same > q->apart && other > q->apart;
 }
 
-static bool add_runs(undoubler *u, const question *q, const uint32_t *found, size_t n)
+static bool add_runs(duplicate_finder *u, const question *q, const uint32_t *found, size_t n)
 {
     for (size_t i = 0; i < n; i++) {
         const drawn *d = &u->segments.v[found[i]];
-        run r;
+        covered_span r;
         if (!overlap(u, q->a, q->along, q->length, d, &r) || !stands_for(u->made->strokes.v[d->stroke].style, q->like))
             continue;
-        r = (run){r.from + q->start, r.to + q->start};
+        r = (covered_span){r.from + q->start, r.to + q->start};
         if (!array_push(&u->runs, r))
             return false;
     }
     return true;
 }
 
-static bool follow_chains(undoubler *u, question *q, chain *c, size_t n)
+static bool follow_chains(duplicate_finder *u, question *q, hash_cursor *c, size_t n)
 {
     const grid_entry *all = u->where.entries.v;
-    while (n > 0 && q->looks < MAX_LOOKS) {
+    while (n > 0 && q->looks < MAX_DUPLICATE_LOOKS) {
         uint32_t found[AT_ONCE];
         size_t kept = 0, some = 0;
         for (size_t i = 0; i < n; i++) {
@@ -152,7 +152,7 @@ static bool follow_chains(undoubler *u, question *q, chain *c, size_t n)
             }
             if (e->next != GRID_END) {
                 __builtin_prefetch(&all[e->next]);
-                c[kept++] = (chain){e->next, c[i].mark};
+                c[kept++] = (hash_cursor){e->next, c[i].mark};
             }
         }
         q->looks += n;
@@ -164,7 +164,7 @@ static bool follow_chains(undoubler *u, question *q, chain *c, size_t n)
 }
 
 /* The chains of the walk's next cells, as many as are followed at once. */
-static size_t next_chains(const undoubler *u, const question *q, grid_walk *w, chain out[AT_ONCE])
+static size_t next_chains(const duplicate_finder *u, const question *q, grid_walk *w, hash_cursor out[AT_ONCE])
 {
     const uint32_t *head[AT_ONCE];
     double mark[AT_ONCE];
@@ -179,26 +179,26 @@ static size_t next_chains(const undoubler *u, const question *q, grid_walk *w, c
     for (size_t i = 0; i < n; i++)
         if (*head[i] != GRID_END) {
             __builtin_prefetch(&u->where.entries.v[*head[i]]);
-            out[some++] = (chain){*head[i], mark[i]};
+            out[some++] = (hash_cursor){*head[i], mark[i]};
         }
     return n ? some : SIZE_MAX;
 }
 
 /* Collects the runs that earlier segments make. */
-static bool find_runs(undoubler *u, stroke_style like, point a, point b, double start)
+static bool find_runs(duplicate_finder *u, stroke_style like, point a, point b, double start)
 {
     double length = plb_point_distance(a, b);
     question q = {.like = like, .a = a, .along = point_scale(point_sub(b, a), 1 / length), .length = length, .start = start};
-    double turn = plb_grid_turn(q.along), most = TURN_DEGREES / 180;
+    double turn = plb_grid_turn(q.along), most = MAX_TURN_DEGREES / 180;
     q.part[0] = plb_grid_part(turn - most, DIRECTIONS);
     q.part[1] = plb_grid_part(turn + most, DIRECTIONS);
     q.apart = most_apart(u);
     q.either_way = fabs(q.along.x) < UPRIGHT;
     grid_walk w = plb_grid_walk(&u->where, a, b, u->tolerance);
-    chain c[AT_ONCE];
-    if (u->looks > MAX_LOOKS_OF_ALL)
+    hash_cursor c[AT_ONCE];
+    if (u->looks > MAX_DUPLICATE_LOOKS_OF_ALL)
         return true;
-    for (size_t n; q.looks < MAX_LOOKS && (n = next_chains(u, &q, &w, c)) != SIZE_MAX;)
+    for (size_t n; q.looks < MAX_DUPLICATE_LOOKS && (n = next_chains(u, &q, &w, c)) != SIZE_MAX;)
         if (!follow_chains(u, &q, c, n))
             return false;
     u->looks += (double)q.looks + 4;
@@ -206,10 +206,10 @@ static bool find_runs(undoubler *u, stroke_style like, point a, point b, double 
 }
 
 /* Joins the runs that touch and drops those that are too short to matter. */
-static void tidy_runs(undoubler *u, double whole)
+static void tidy_runs(duplicate_finder *u, double whole)
 {
     size_t n = 0;
-    run *v = u->runs.v;
+    covered_span *v = u->runs.v;
     if (u->runs.n)
         qsort(v, u->runs.n, sizeof *v, compare_runs);
     for (size_t i = 0; i < u->runs.n; i++)
@@ -225,7 +225,7 @@ static void tidy_runs(undoubler *u, double whole)
     u->runs.n = n;
 }
 
-static bool put_on_grid(undoubler *u, size_t number)
+static bool put_on_grid(duplicate_finder *u, size_t number)
 {
     const stroke *s = &u->made->strokes.v[number];
     for (size_t i = 1; i < s->n; i++) {
@@ -243,7 +243,7 @@ static bool put_on_grid(undoubler *u, size_t number)
 }
 
 /* The part of the stroke between two arc lengths becomes a stroke. */
-static bool keep_part(undoubler *u, const stroke *s, const point *at, double from, double to)
+static bool keep_part(duplicate_finder *u, const stroke *s, const point *at, double from, double to)
 {
     double done = 0;
     u->piece.n = 0;
@@ -265,7 +265,7 @@ static bool keep_part(undoubler *u, const stroke *s, const point *at, double fro
 }
 
 /* The stroke, or what its runs leave of it. */
-static bool keep(undoubler *u, const stroke *s, const point *at, double whole)
+static bool keep(duplicate_finder *u, const stroke *s, const point *at, double whole)
 {
     if (u->runs.n == 0)
         return plb_plan_append(u->made, s, at, s->n);
@@ -280,7 +280,7 @@ static bool keep(undoubler *u, const stroke *s, const point *at, double whole)
     return ok;
 }
 
-static bool drop_duplicates(undoubler *u, const stroke *s, const point *at)
+static bool drop_duplicates(duplicate_finder *u, const stroke *s, const point *at)
 {
     double whole = 0;
     size_t before = u->made->strokes.n;
@@ -318,7 +318,7 @@ static double cell_for(const stroke_list *list, double whole)
 bool plb_plan_duplicates(stroke_list *list, double tolerance, error *err)
 {
     stroke_list made = {.width = list->width, .height = list->height};
-    undoubler u = {.made = &made, .tolerance = tolerance, .least_cosine = cos(TURN_DEGREES * PLB_PI / 180)};
+    duplicate_finder u = {.made = &made, .tolerance = tolerance, .least_cosine = cos(MAX_TURN_DEGREES * PLB_PI / 180)};
     double whole = length_of_all(list), cell = cell_for(list, whole);
     bool ok = plb_grid_init(&u.where, cell, list->points.n + (size_t)(whole / cell));
     for (size_t i = 0; ok && i < list->strokes.n; i++)

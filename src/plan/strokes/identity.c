@@ -4,12 +4,12 @@
  * alone, so that nothing else in the drawing, nor the order of drawing, changes how a stroke looks.
  */
 #include "base/number/random.h"
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 #include <math.h>
 
 /* Identities hash positions in this unit, so that rounding noise does not change a stroke. */
-#define IDENTITY_UNIT_MM 0.001
+#define STROKE_IDENTITY_UNIT_MM 0.001
 
 /* Identities given so far: open addressing, 0 marks an empty place. */
 typedef struct {
@@ -49,7 +49,7 @@ static uint64_t hash_shape(const point *at, size_t n, bool closed)
     bool back = at[0].x != at[n - 1].x ? at[0].x > at[n - 1].x : at[0].y > at[n - 1].y;
     for (size_t i = 0; i < n; i++) {
         point p = at[back ? n - 1 - i : i];
-        h = random_fold(h, llround(p.x / IDENTITY_UNIT_MM), llround(p.y / IDENTITY_UNIT_MM));
+        h = random_fold(h, llround(p.x / STROKE_IDENTITY_UNIT_MM), llround(p.y / STROKE_IDENTITY_UNIT_MM));
     }
     return h | 1;
 }

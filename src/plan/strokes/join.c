@@ -9,7 +9,7 @@
  */
 #include "system/thread_team.h"
 #include "plan/shape/grid.h"
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 #include <math.h>
 #include <stdlib.h>

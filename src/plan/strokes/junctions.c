@@ -2,27 +2,26 @@
  *
  * Plan, all strokes: lines that others end upon. A scale with its ticks, a wall with others against it, the rim of a mesh:
  * where lines come to an end on another one a person minds that they meet, and draws that one with care.
- * Input: strokes, mm. Output: their room.
+ * Input: strokes, mm. Output: how far each may deviate.
  */
 #include "system/thread_team.h"
 #include "plan/shape/grid.h"
-#include "plan/habits/habits.h"
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 #include <math.h>
 
 /* An end so near to a line ends upon it, mm; the line then strays by no more than this, mm (both chosen by eye: less than
  * a pencil's line). */
 #define NEAR_MM 0.15
-#define ROOM_MM 0.25f
+#define JUNCTION_DEVIATION_MM 0.25f
 /* Ends this near to the line's own are corners, which the hand meets in any case. */
 #define CORNER_MM 0.5
 /* Shorter lines hardly stray. */
-#define SHORTEST_MM 10.0
-#define CELL_MM 3.0
+#define MIN_JOINED_MM 10.0
+#define JUNCTION_CELL_MM 3.0
 /* So many ends are looked at for one line, and for all: bounds on the work. */
-#define MAX_LOOKS 10000
-#define MAX_LOOKS_OF_ALL 1e8
+#define MAX_JUNCTION_LOOKS 10000
+#define MAX_JUNCTION_LOOKS_OF_ALL 1e8
 
 /* Whether p lies so near to the segment. Most do not lie so near to its box: no root for them. */
 static bool is_near(point p, point a, point b)
@@ -52,9 +51,9 @@ static bool is_met(const line_ends *ends, const stroke_list *list, size_t i, siz
     int64_t column, row;
     for (size_t k = 1; k < s->n; k++) {
         grid_walk w = plb_grid_walk(&ends->where, v[k - 1], v[k], NEAR_MM);
-        while (*looks < MAX_LOOKS && plb_grid_step(&w, &column, &row)) {
+        while (*looks < MAX_JUNCTION_LOOKS && plb_grid_step(&w, &column, &row)) {
             ++*looks;
-            for (uint32_t e = plb_grid_first(&ends->where, column, row); e != GRID_END && *looks < MAX_LOOKS; e = ends->where.entries.v[e].next) {
+            for (uint32_t e = plb_grid_first(&ends->where, column, row); e != GRID_END && *looks < MAX_JUNCTION_LOOKS; e = ends->where.entries.v[e].next) {
                 point p = ends->at.v[ends->where.entries.v[e].value];
                 ++*looks;
                 if (is_near(p, v[k - 1], v[k]) && plb_point_distance(p, v[0]) > CORNER_MM && plb_point_distance(p, v[s->n - 1]) > CORNER_MM)
@@ -69,9 +68,9 @@ static bool is_long(const stroke_list *list, const stroke *s)
 {
     const point *v = list->points.v + s->first;
     double length = 0;
-    for (size_t k = 1; k < s->n && length < SHORTEST_MM; k++)
+    for (size_t k = 1; k < s->n && length < MIN_JOINED_MM; k++)
         length += plb_point_distance(v[k - 1], v[k]);
-    return length >= SHORTEST_MM;
+    return length >= MIN_JOINED_MM;
 }
 
 static bool put_end(line_ends *ends, point p)
@@ -93,17 +92,17 @@ static bool put_ends(line_ends *ends, const stroke_list *list)
 
 /* Some of the strokes, batch by batch; each changes itself only. Between rounds the looks are counted, so that it does not
  * depend on the threads where they end. */
-#define ROUND 64 /* batches */
+#define BATCHES_AT_A_TIME 64 /* batches */
 typedef struct {
     const line_ends *ends;
     stroke_list *list;
     size_t first;
-    double looks[ROUND];
-} search;
+    double looks[BATCHES_AT_A_TIME];
+} junction_search;
 
 static bool look_batch(void *closure, int member, size_t batch)
 {
-    search *k = closure;
+    junction_search *k = closure;
     size_t first = k->first + batch * PASS_BATCH;
     (void)member;
     k->looks[batch] = 0;
@@ -111,7 +110,7 @@ static bool look_batch(void *closure, int member, size_t batch)
         stroke *s = &k->list->strokes.v[i];
         size_t looks = 0;
         if (is_of_drawing(s) && is_long(k->list, s) && is_met(k->ends, k->list, i, &looks))
-            s->room = s->room > 0 ? fminf(s->room, ROOM_MM) : ROOM_MM;
+            s->max_deviation = s->max_deviation > 0 ? fminf(s->max_deviation, JUNCTION_DEVIATION_MM) : JUNCTION_DEVIATION_MM;
         k->looks[batch] += (double)looks;
     }
     return true;
@@ -121,10 +120,10 @@ static void look_at_all(const line_ends *ends, stroke_list *list, int threads)
 {
     double of_all = 0;
     size_t n = list->strokes.n;
-    search k = {.ends = ends, .list = list};
-    for (; k.first < n && of_all < MAX_LOOKS_OF_ALL; k.first += ROUND * PASS_BATCH) {
+    junction_search k = {.ends = ends, .list = list};
+    for (; k.first < n && of_all < MAX_JUNCTION_LOOKS_OF_ALL; k.first += BATCHES_AT_A_TIME * PASS_BATCH) {
         size_t batches = (n - k.first + PASS_BATCH - 1) / PASS_BATCH;
-        batches = batches < ROUND ? batches : ROUND;
+        batches = batches < BATCHES_AT_A_TIME ? batches : BATCHES_AT_A_TIME;
         plb_thread_team_run(plb_plan_members(threads, n), batches, look_batch, &k);
         for (size_t i = 0; i < batches; i++)
             of_all += k.looks[i];
@@ -134,7 +133,7 @@ static void look_at_all(const line_ends *ends, stroke_list *list, int threads)
 bool plb_plan_junctions(stroke_list *list, int threads, error *err)
 {
     line_ends ends = {0};
-    bool ok = plb_grid_init(&ends.where, CELL_MM, 2 * list->strokes.n) && put_ends(&ends, list);
+    bool ok = plb_grid_init(&ends.where, JUNCTION_CELL_MM, 2 * list->strokes.n) && put_ends(&ends, list);
     if (ok)
         look_at_all(&ends, list, threads);
     plb_grid_free(&ends.where);

@@ -7,7 +7,7 @@
  * next. How a stroke looks does not depend on its place in the order: the end it starts from is its own affair, so that
  * a line added elsewhere changes nothing about it.
  */
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -4,7 +4,7 @@
  * straight stroke. Where a program has flattened a curve coarsely, so that the line turns a little at every vertex,
  * the curve through the vertices is put back (Hermite pieces, tangents along the neighbours' chord).
  */
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 #include "plan/shape/flatten.h"
 
@@ -18,7 +18,7 @@
 /* Where it lies closer than this it is as good as there. */
 #define MIN_BULGE_MM 0.02
 /* Neighbouring chords of one curve are of about the same length. */
-#define MAX_RATIO 3.0
+#define MAX_CHORD_RATIO 3.0
 
 typedef ARRAY(point) points;
 
@@ -74,7 +74,7 @@ static point tangent_at(const point *v, size_t n, bool closed, size_t k)
     point before = v[k == 0 ? n - 2 : k - 1], after = v[k + 1 == n ? 1 : k + 1];
     point in = point_sub(v[k], before), out = point_sub(after, v[k]);
     double a = plb_point_length(in), b = plb_point_length(out);
-    if (!(a > 0 && b > 0) || a > MAX_RATIO * b || b > MAX_RATIO * a || point_dot(in, out) < cos(CORNER_DEGREES * PLB_PI / 180) * a * b)
+    if (!(a > 0 && b > 0) || a > MAX_CHORD_RATIO * b || b > MAX_CHORD_RATIO * a || point_dot(in, out) < cos(CORNER_DEGREES * PLB_PI / 180) * a * b)
         return (point){0, 0};
     point along = point_add(point_scale(in, b / a), point_scale(out, a / b)); /* the circle's tangent through the three */
     double length = plb_point_length(along);

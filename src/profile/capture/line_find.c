@@ -43,14 +43,14 @@ typedef struct {
     float *row_sums, *column; /* work space: one column each */
     ARRAY(dark_run) runs;
     ARRAY(const dark_run *) chains; /* the last run of each that is long enough to be taken on behind a gap */
-} finder;
+} line_finder;
 
 static int clamp(int v, int low, int high)
 {
     return v < low ? low : v > high ? high : v;
 }
 
-static void make_kernel(finder *f)
+static void make_kernel(line_finder *f)
 {
     double sum = 0, scale = f->unit < 1 ? 1 : f->unit > BLUR_MAX ? BLUR_MAX : f->unit, sigma = BLUR_SIGMA * scale;
     f->radius = (int)ceil(BLUR_RADIUS * scale);
@@ -61,7 +61,7 @@ static void make_kernel(finder *f)
 }
 
 /* Column x of the scan under a Gaussian, into f->column. */
-static void blur_column(finder *f, int x)
+static void blur_column(line_finder *f, int x)
 {
     const scan *s = f->s;
     int column[2 * BLUR_RADIUS * BLUR_MAX + 1] = {0}, r = f->radius;
@@ -81,7 +81,7 @@ static void blur_column(finder *f, int x)
 }
 
 /* Appends the dark runs of f->column; the score of each is its depth. */
-static bool cut_column(finder *f, int x, error *err)
+static bool cut_column(line_finder *f, int x, error *err)
 {
     const double dark = DARK * f->paper;
     for (int y = 0; y < f->s->height; y++) {
@@ -106,7 +106,7 @@ static bool touch(const dark_run *a, const dark_run *b)
 }
 
 /* Links each run of [old, now) to the one it alone touches of [now, end). Both are sorted from top to bottom. */
-static void link_columns(finder *f, size_t old, size_t now, size_t end)
+static void link_columns(line_finder *f, size_t old, size_t now, size_t end)
 {
     dark_run *v = f->runs.v;
     for (size_t from = now; old < now; old++) {
@@ -127,7 +127,7 @@ static void link_columns(finder *f, size_t old, size_t now, size_t end)
     }
 }
 
-static bool find_chains(finder *f, error *err)
+static bool find_chains(line_finder *f, error *err)
 {
     size_t old = 0, now = 0;
     for (int x = 0; x < f->s->width; x++) {
@@ -147,7 +147,7 @@ static double middle(const dark_run *r)
 }
 
 /* The slope of the chain at its end `last` (towards +x) or its start (towards -x), as dy per column outwards. */
-static double slope_outwards(const finder *f, const dark_run *end, bool right)
+static double slope_outwards(const line_finder *f, const dark_run *end, bool right)
 {
     const dark_run *v = f->runs.v, *r = end;
     for (int k = 0; k < AIM_LENGTH * f->unit && (right ? r->before : r->after); k++)
@@ -156,7 +156,7 @@ static double slope_outwards(const finder *f, const dark_run *end, bool right)
 }
 
 /* The chain that carries on from `end`, as its run nearest to it; NULL: none. */
-static const dark_run *next_piece(const finder *f, const dark_run *end, bool right)
+static const dark_run *next_piece(const line_finder *f, const dark_run *end, bool right)
 {
     const dark_run *v = f->runs.v, *best = NULL;
     double slope = slope_outwards(f, end, right), best_gap = MAX_GAP * f->unit;
@@ -172,7 +172,7 @@ static const dark_run *next_piece(const finder *f, const dark_run *end, bool rig
     return best;
 }
 
-static void write_chain(const finder *f, const dark_run *first, const line_track *t)
+static void write_chain(const line_finder *f, const dark_run *first, const line_track *t)
 {
     for (const dark_run *r = first;; r = &f->runs.v[r->after - 1]) {
         t->top[r->x - t->x0] = r->top;
@@ -183,7 +183,7 @@ static void write_chain(const finder *f, const dark_run *first, const line_track
 }
 
 /* The other end of a chain, given one of them. */
-static const dark_run *far_end(const finder *f, const dark_run *r, bool right)
+static const dark_run *far_end(const line_finder *f, const dark_run *r, bool right)
 {
     if (!right)
         return &f->runs.v[r->first - 1];
@@ -193,7 +193,7 @@ static const dark_run *far_end(const finder *f, const dark_run *r, bool right)
 }
 
 /* From the best chain outwards, piece by piece; `pieces` gets the first run of each. */
-static bool collect(const finder *f, const dark_run *best, line_track *t, error *err)
+static bool collect(const line_finder *f, const dark_run *best, line_track *t, error *err)
 {
     ARRAY(const dark_run *) pieces = {0};
     const dark_run *ends[2] = {&f->runs.v[best->first - 1], best};
@@ -217,7 +217,7 @@ static bool collect(const finder *f, const dark_run *best, line_track *t, error 
     return good || plb_fail_memory(err);
 }
 
-static bool list_chains(finder *f)
+static bool list_chains(line_finder *f)
 {
     for (size_t i = 0; i < f->runs.n; i++) {
         const dark_run *r = &f->runs.v[i];
@@ -227,7 +227,7 @@ static bool list_chains(finder *f)
     return true;
 }
 
-static bool find(finder *f, line_track *t, error *err)
+static bool find(line_finder *f, line_track *t, error *err)
 {
     if (!f->row_sums || !f->column)
         return plb_fail_memory(err);
@@ -245,7 +245,7 @@ static bool find(finder *f, line_track *t, error *err)
 bool plb_line_find(const scan *s, double unit, int paper, line_track *t, error *err)
 {
     *t = (line_track){0};
-    finder f = {.s = s, .unit = unit, .paper = paper};
+    line_finder f = {.s = s, .unit = unit, .paper = paper};
     make_kernel(&f);
     f.row_sums = plb_new((size_t)s->height, sizeof *f.row_sums);
     f.column = plb_new((size_t)s->height, sizeof *f.column);

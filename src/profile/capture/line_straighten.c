@@ -14,7 +14,7 @@
 #include <stdlib.h>
 
 /* In 1/300 inch: */
-#define REACH 17      /* rows kept on either side; the widest lines at hand end at 6 */
+#define STRIP_REACH 17      /* rows kept on either side; the widest lines at hand end at 6 */
 #define TRIM 14       /* columns left out at each end: a stroke's end fades over 8 to 12 */
 #define RIM_NEAREST 8 /* the rim, where nothing but paper should be, starts here, or … */
 #define RIM_CLEAR 4   /* … this far outside the line's own edge; chosen by eye */
@@ -203,7 +203,7 @@ static bool straighten(straightener *w, line_strip *out, error *err)
     size_t n = (size_t)w->t->n;
     out->n = w->t->n;
     out->paper = w->paper;
-    out->reach = (int)ceil(REACH * w->unit);
+    out->reach = (int)ceil(STRIP_REACH * w->unit);
     out->grey = plb_new(n, (size_t)strip_rows(out));
     out->dark = plb_new(n, (size_t)strip_rows(out) * sizeof *out->dark);
     out->offset = plb_new(n, sizeof *out->offset);

@@ -23,11 +23,11 @@ typedef struct {
     png_infop info;
     png_bytep pixels;
     png_bytep *rows;
-} reader;
+} png_source;
 
 static void on_error(png_structp png, png_const_charp text)
 {
-    reader *r = png_get_error_ptr(png);
+    png_source *r = png_get_error_ptr(png);
     plb_fail(r->err, ERROR_SYNTAX, "%s: not a readable PNG: %s", r->file, text);
     longjmp(png_jmpbuf(png), 1);
 }
@@ -38,7 +38,7 @@ static void on_warning(png_structp png, png_const_charp text)
     (void)text;
 }
 
-static bool check_size(reader *r, scan *s)
+static bool check_size(png_source *r, scan *s)
 {
     png_uint_32 w = png_get_image_width(r->png, r->info), h = png_get_image_height(r->png, r->info);
     if (w > SCAN_MAX_SIDE || h > SCAN_MAX_SIDE || (double)w * h > SCAN_MAX_PIXELS)
@@ -59,7 +59,7 @@ static double resolution(png_structp png, png_infop info)
 }
 
 /* Whatever it was: 8-bit RGBA, not premultiplied. */
-static bool read_rgba(reader *r, scan *s)
+static bool read_rgba(png_source *r, scan *s)
 {
     if (setjmp(png_jmpbuf(r->png)))
         return false;
@@ -94,7 +94,7 @@ static uint8_t grey_of(const png_byte *rgba)
     return (uint8_t)((luma * alpha + 255 * (255 - alpha) + 127) / 255);
 }
 
-static bool read_open_file(reader *r, scan *s)
+static bool read_open_file(png_source *r, scan *s)
 {
     r->png = png_create_read_struct(PNG_LIBPNG_VER_STRING, r, on_error, on_warning);
     r->info = r->png ? png_create_info_struct(r->png) : NULL;
@@ -114,7 +114,7 @@ static bool read_open_file(reader *r, scan *s)
 bool plb_scan_png_read(scan *s, const char *file, error *err)
 {
     *s = (scan){0};
-    reader r = {.file = file, .from = fopen(file, "rb"), .err = err};
+    png_source r = {.file = file, .from = fopen(file, "rb"), .err = err};
     if (!r.from)
         return plb_fail(err, ERROR_FILE, "%s: cannot be opened: %s", file, strerror(errno));
     bool good = read_open_file(&r, s);

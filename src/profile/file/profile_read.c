@@ -202,7 +202,7 @@ static const struct {
     {"GRAI", read_grain, true}, /* since version 1.1 */
     {"HAND", read_hand, true},  /* since version 1.2 */
 };
-#define SECTIONS (sizeof sections / sizeof *sections)
+#define FILE_SECTIONS (sizeof sections / sizeof *sections)
 
 /* ---- the file ---- */
 
@@ -238,12 +238,12 @@ static bool is_grain_of_another_time(const char *tag, cursor body)
 }
 
 /* One section; marks its entry in `seen`. */
-static bool parse_one(const char *name, const char *tag, cursor body, bool seen[SECTIONS], profile *p, error *err)
+static bool parse_one(const char *name, const char *tag, cursor body, bool seen[FILE_SECTIONS], profile *p, error *err)
 {
     size_t i = 0;
-    while (i < SECTIONS && memcmp(tag, sections[i].tag, 4) != 0)
+    while (i < FILE_SECTIONS && memcmp(tag, sections[i].tag, 4) != 0)
         i++;
-    if (i == SECTIONS)
+    if (i == FILE_SECTIONS)
         return true;
     if (seen[i])
         return plb_fail(err, ERROR_SYNTAX, "%s: pencil profile has two %s sections", name, sections[i].tag);
@@ -257,7 +257,7 @@ static bool parse_one(const char *name, const char *tag, cursor body, bool seen[
 
 static bool parse_sections(const char *name, cursor c, profile *p, error *err)
 {
-    bool seen[SECTIONS] = {false};
+    bool seen[FILE_SECTIONS] = {false};
     for (int n = 0; c.at < c.end; n++) {
         const char *tag = (const char *)c.at;
         uint64_t skipped, length;
@@ -269,7 +269,7 @@ static bool parse_sections(const char *name, cursor c, profile *p, error *err)
             return false;
         c.at += length;
     }
-    for (size_t i = 0; i < SECTIONS; i++)
+    for (size_t i = 0; i < FILE_SECTIONS; i++)
         if (!seen[i] && !sections[i].optional)
             return plb_fail(err, ERROR_SYNTAX, "%s: pencil profile lacks the section %s", name, sections[i].tag);
     return true;

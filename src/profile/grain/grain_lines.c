@@ -9,28 +9,28 @@
 
 #include <math.h>
 
-#define BINS 40
-#define STEP 0.25
+#define WIDTH_BINS 40
+#define WIDTH_STEP 0.25
 #define TOP_BINS 4        /* nearest the centreline: the line's full depth, as far as its width goes */
 #define DEPTH_REACH 1.25  /* px: the core of the thinnest lines */
 #define MIN_LINE 64       /* usable columns of a line */
 
 /* The darkness of the strip's pixels by distance. An empty bin has the value of the one before it. */
-static void fold(const grain_line *l, double mean[BINS])
+static void fold(const grain_line *l, double mean[WIDTH_BINS])
 {
-    double sum[BINS] = {0}, n[BINS] = {0};
+    double sum[WIDTH_BINS] = {0}, n[WIDTH_BINS] = {0};
     for (int i = 0; i < l->n * GRAIN_ROWS; i++) {
-        int bin = (int)(fabs((double)l->place[i]) / STEP);
-        if (!l->usable[i / GRAIN_ROWS] || bin >= BINS)
+        int bin = (int)(fabs((double)l->place[i]) / WIDTH_STEP);
+        if (!l->usable[i / GRAIN_ROWS] || bin >= WIDTH_BINS)
             continue;
         sum[bin] += l->dark[i];
         n[bin]++;
     }
     int first = 0;
-    while (first < BINS - 1 && n[first] == 0)
+    while (first < WIDTH_BINS - 1 && n[first] == 0)
         first++;
     double last = sum[first] / fmax(n[first], 1);
-    for (int k = 0; k < BINS; k++) {
+    for (int k = 0; k < WIDTH_BINS; k++) {
         if (n[k] > 0)
             last = sum[k] / n[k];
         mean[k] = last;
@@ -39,14 +39,14 @@ static void fold(const grain_line *l, double mean[BINS])
 
 static double width_at_half_depth(const grain_line *l)
 {
-    double mean[BINS], half = 0;
+    double mean[WIDTH_BINS], half = 0;
     fold(l, mean);
     for (int k = 0; k < TOP_BINS; k++)
         half += mean[k] / TOP_BINS / 2;
-    for (int k = 1; k < BINS; k++)
+    for (int k = 1; k < WIDTH_BINS; k++)
         if (mean[k] < half)
-            return 2 * STEP * (k - 0.5 + fmax(0, mean[k - 1] - half) / (mean[k - 1] - mean[k]));
-    return 2 * STEP * (BINS - 1);
+            return 2 * WIDTH_STEP * (k - 0.5 + fmax(0, mean[k - 1] - half) / (mean[k - 1] - mean[k]));
+    return 2 * WIDTH_STEP * (WIDTH_BINS - 1);
 }
 
 static double mean_depth(const grain_line *l)

@@ -18,15 +18,15 @@
 /* The lines drawn, px at 300 dpi: 66 x 5 mm, a line of 60 mm and more than a free hand deviates. So many of them that their own
  * chance is small beside what is corrected. */
 #define LINES 120
-#define WIDTH 780
-#define HEIGHT 59
+#define SAMPLE_WIDTH 780
+#define SAMPLE_HEIGHT 59
 #define PAPER 255
 
 /* Shares of the difference: the whole of it would overshoot, as the figures hang together; chosen by trial on the pencils
  * of w0054 and w0028 of hdBPMN. */
 #define SHARE 0.8
 #define SHARE_OF_DARKNESS 0.6
-#define MAX_RATIO 1.6
+#define MAX_CORRECTION_RATIO 1.6
 
 static float towards(float now, float measured, float drawn, double share)
 {
@@ -41,7 +41,7 @@ static float corrected(float was, float drawn)
 
 static float scaled_towards(float now, double measured, double drawn)
 {
-    double ratio = drawn > 0 ? clamp(measured / drawn, 1 / MAX_RATIO, MAX_RATIO) : 1;
+    double ratio = drawn > 0 ? clamp(measured / drawn, 1 / MAX_CORRECTION_RATIO, MAX_CORRECTION_RATIO) : 1;
     return (float)(now * pow(ratio, SHARE));
 }
 
@@ -91,7 +91,7 @@ static void correct(grain_model *g, const grain_model *drawn)
 /* The strip of one picture; one without a line has no columns. */
 static bool take_strip(uint8_t *grey, line_strip *strip, error *err)
 {
-    const scan s = {WIDTH, HEIGHT, PAPER_PX_PER_INCH, grey};
+    const scan s = {SAMPLE_WIDTH, SAMPLE_HEIGHT, PAPER_PX_PER_INCH, grey};
     line_track t = {0};
     *strip = (line_strip){0};
     bool good = plb_line_find(&s, 1, PAPER, &t, err) && (t.n == 0 || plb_line_strip_make(&s, &t, 1, PAPER, strip, err));
@@ -104,7 +104,7 @@ static bool capture_drawn(uint8_t *grey, grain_model *drawn, error *err)
     line_strip strips[LINES] = {{0}};
     bool good = true;
     for (int i = 0; i < LINES && good; i++)
-        good = take_strip(grey + (size_t)i * WIDTH * HEIGHT, &strips[i], err);
+        good = take_strip(grey + (size_t)i * SAMPLE_WIDTH * SAMPLE_HEIGHT, &strips[i], err);
     good = good && plb_grain_capture(strips, LINES, drawn, err);
     for (int i = 0; i < LINES; i++)
         plb_line_strip_free(&strips[i]);
@@ -113,13 +113,13 @@ static bool capture_drawn(uint8_t *grey, grain_model *drawn, error *err)
 
 bool plb_grain_refine(profile *p, line_sampler *sample, void *closure, error *err)
 {
-    const size_t size = (size_t)LINES * WIDTH * HEIGHT;
+    const size_t size = (size_t)LINES * SAMPLE_WIDTH * SAMPLE_HEIGHT;
     uint8_t *grey = plb_new(size, 1);
     if (!grey)
         return plb_fail_memory(err);
     memset(grey, PAPER, size);
     grain_model drawn;
-    bool good = sample(closure, p, LINES, WIDTH, HEIGHT, grey, err) && capture_drawn(grey, &drawn, err);
+    bool good = sample(closure, p, LINES, SAMPLE_WIDTH, SAMPLE_HEIGHT, grey, err) && capture_drawn(grey, &drawn, err);
     plb_free(grey);
     if (good && drawn.present)
         correct(&p->grain, &drawn);

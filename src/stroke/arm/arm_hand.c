@@ -21,8 +21,8 @@ static hand hand_of(const base_line *b, const stroke *s, double length, const st
         return h;
     bool backward = plb_hand_backward(plb_base_way(b), o->handed);
     plb_hand_direct(&h, plb_base_way(b), backward ? !s->corner_first : !s->corner_last, o);
-    if (s->room > 0)
-        plb_hand_keep(&h, (double)s->room * fmax(h.strength, 1));
+    if (s->max_deviation > 0)
+        plb_hand_keep(&h, (double)s->max_deviation * fmax(h.strength, 1));
     plb_hand_hooks(&h, !s->corner_first, !s->corner_last, s->identity, o);
     return h;
 }

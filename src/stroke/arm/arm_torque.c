@@ -28,11 +28,11 @@
 #define A3 (-1.037e-4)
 #define B3 (-0.395e-4)
 /* As far as the form was compared with the model; longer lines bow as these. */
-#define LONGEST_MM 200.0
+#define MAX_BOWED_MM 200.0
 
 double plb_torque_bow(point way, handedness handed)
 {
-    double mirror = handed == HANDED_LEFT ? -1 : 1, length = plb_point_length(way), reach = fmin(length, LONGEST_MM);
+    double mirror = handed == HANDED_LEFT ? -1 : 1, length = plb_point_length(way), reach = fmin(length, MAX_BOWED_MM);
     if (length == 0)
         return 0;
     double c = mirror * way.x / length, s = -way.y / length;

@@ -14,7 +14,7 @@
 
 /* How far a level line's second half leans, share of the length; and its free end, the same and at most, mm. */
 #define LEAN 0.0015
-#define DRIFT 0.001
+#define END_DRIFT 0.001
 #define DRIFT_LARGEST_MM (1.5 * MM_PER_PAPER_PX)
 #define LONGEST_LEANING_MM 120.0
 /* Lines toward the body deviate less by this share, lines away from it more. */
@@ -40,7 +40,7 @@ void plb_hand_direct(hand *h, point way, bool free_end, const stroke_options *o)
     double turn = h->backward ? -1 : 1; /* from the frame of the drawing hand to that of the line */
     double right = turn * way.x / h->length, toward = turn * way.y / h->length;
     double level = right < 0 ? -right : right, mirror = o->handed == HANDED_LEFT ? -1 : 1;
-    double reach = h->length < LONGEST_LEANING_MM ? h->length : LONGEST_LEANING_MM, drift = DRIFT * reach;
+    double reach = h->length < LONGEST_LEANING_MM ? h->length : LONGEST_LEANING_MM, drift = END_DRIFT * reach;
     for (int k = 0; k < h->waves; k++)
         h->amplitude[k] *= 1 - STEADIER_TOWARD * toward;
     h->late = LATE;

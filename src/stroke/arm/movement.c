@@ -33,7 +33,7 @@ static const struct {
 /* Nor is D more than this share of the way to the nearer end. On long lines equation 1 puts the first control point
  * within 1 % of the length of the end; 5 px there would be a hook at every end. Chosen by eye; of real ends one in five
  * hooks, by 1 to 2 px. */
-#define STEEPEST 0.2
+#define MAX_DEVIATION_OF_WAY 0.2
 
 static double time_step_of(double length)
 {
@@ -61,7 +61,7 @@ double plb_arm_squiggle(const arm_model *arm, double length, const stroke_option
 double plb_deviation_limit(const movement *m, const control *c, size_t k, size_t n)
 {
     double way = c[k].along < c[n - 1].along - c[k].along ? c[k].along : c[n - 1].along - c[k].along;
-    return m->squiggle < STEEPEST * way ? m->squiggle : STEEPEST * way;
+    return m->squiggle < MAX_DEVIATION_OF_WAY * way ? m->squiggle : MAX_DEVIATION_OF_WAY * way;
 }
 
 void plb_deviate_freely(const movement *m, control *c, size_t n)

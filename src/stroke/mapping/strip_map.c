@@ -31,10 +31,10 @@
 #define ROWS_ASKED 64
 #define SAMPLES_ASKED (PATCH_SIDE * MAX_SAMPLES)
 /* Samples that are compared at a time. */
-#define TOGETHER 16
+#define ROWS_TOGETHER 16
 /* Neighbouring pieces become one where the path strays from it by no more than this, page pixels (a tenth of a pixel is
  * not seen; pieces get twice as long). */
-#define STRAY 0.1
+#define SAMPLE_STRAY 0.1
 /* … and such a piece is no longer than this, page pixels: its bounds should not be much wider than the stroke. */
 #define LONGEST_PIECE 48.0
 
@@ -110,8 +110,8 @@ static void mark(mapper *m, int row, int x0, int x1)
  * been put there, the row as it is. */
 static void resolve_single(uint8_t *restrict from, uint8_t *restrict grey, int n)
 {
-    for (; n > 0; n -= TOGETHER, from += TOGETHER, grey += TOGETHER)
-        for (int i = 0; i < TOGETHER; i++) {
+    for (; n > 0; n -= ROWS_TOGETHER, from += ROWS_TOGETHER, grey += ROWS_TOGETHER)
+        for (int i = 0; i < ROWS_TOGETHER; i++) {
             grey[i] = (uint8_t)~from[i];
             from[i] = 0;
         }
@@ -191,30 +191,30 @@ static bool begin_next(mapper *m, pixel_box next)
 
 /* ---- from pieces to samples ---- */
 
-/* The darker of both, for TOGETHER samples; `mask`: 0 leaves a sample as it is. */
+/* The darker of both, for ROWS_TOGETHER samples; `mask`: 0 leaves a sample as it is. */
 static void darken_lanes(uint8_t *restrict to, const uint8_t *restrict dark, const uint8_t *restrict mask)
 {
-    for (int i = 0; i < TOGETHER; i++) {
+    for (int i = 0; i < ROWS_TOGETHER; i++) {
         uint8_t d = dark[i] & mask[i];
         to[i] = d > to[i] ? d : to[i];
     }
 }
 
-/* … for n samples; up to TOGETHER - 1 beyond are read and, unchanged, written. */
+/* … for n samples; up to ROWS_TOGETHER - 1 beyond are read and, unchanged, written. */
 static void darken(uint8_t *to, const uint8_t *dark, int n)
 {
-    static const uint8_t masks[2 * TOGETHER] = {255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255};
-    for (; n > 0; n -= TOGETHER, to += TOGETHER, dark += TOGETHER)
-        darken_lanes(to, dark, masks + (n < TOGETHER ? TOGETHER - n : 0));
+    static const uint8_t masks[2 * ROWS_TOGETHER] = {255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255, 255};
+    for (; n > 0; n -= ROWS_TOGETHER, to += ROWS_TOGETHER, dark += ROWS_TOGETHER)
+        darken_lanes(to, dark, masks + (n < ROWS_TOGETHER ? ROWS_TOGETHER - n : 0));
 }
 
 /* The rows that wait get their darkness. */
 static void shade_asked(mapper *m)
 {
     asked_rows *q = &m->asked;
-    uint8_t dark[SAMPLES_ASKED + TOGETHER], *from = dark;
+    uint8_t dark[SAMPLES_ASKED + ROWS_TOGETHER], *from = dark;
     m->s->shade(m->s->texture, q->row, q->n, dark);
-    memset(dark + q->samples, 0, TOGETHER);
+    memset(dark + q->samples, 0, ROWS_TOGETHER);
     for (int k = 0; k < q->n; from += q->row[k++].n)
         darken(q->to[k], from, q->row[k].n);
     q->n = q->samples = 0;
@@ -409,7 +409,7 @@ static size_t end_of_piece(const mapper *m, const path_samples *path, size_t i)
 {
     size_t j = i + 1;
     double longest = path->v[i].along + LONGEST_PIECE * m->page_mm;
-    while (!m->s->one_by_one && j + 1 < path->n && path->v[j + 1].along <= longest && is_straight(path->v, i, j + 1, STRAY * m->page_mm))
+    while (!m->s->one_by_one && j + 1 < path->n && path->v[j + 1].along <= longest && is_straight(path->v, i, j + 1, SAMPLE_STRAY * m->page_mm))
         j++;
     return j;
 }
@@ -456,7 +456,7 @@ bool plb_strip_map(const shading *s, const map_page *page, const path_samples *p
     m.in = m.wait = (pixel_box){0};
     m.n = m.asked.n = m.asked.samples = 0;
     size_t side = (size_t)(PATCH_SIDE * m.samples);
-    m.stride = side + TOGETHER; /* what is done in whole blocks stays within the row */
+    m.stride = side + ROWS_TOGETHER; /* what is done in whole blocks stays within the row */
     m.sink = sink;
     m.closure = closure;
     if (!make_fine(buffer, side * m.stride))

@@ -50,8 +50,8 @@
 typedef struct {
     point at;
     double along, spacing; /* mm */
-} place;
-typedef ARRAY(place) course;
+} course_place;
+typedef ARRAY(course_place) course;
 typedef ARRAY(via) vias;
 
 /* ---- the course ---- */
@@ -59,7 +59,7 @@ typedef ARRAY(via) vias;
 static bool add_place(course *c, point at)
 {
     double along = c->n ? c->v[c->n - 1].along + plb_point_distance(c->v[c->n - 1].at, at) : 0;
-    place p = {at, along, 0};
+    course_place p = {at, along, 0};
     return array_push(c, p);
 }
 
@@ -84,7 +84,7 @@ static bool go_round(course *c, const base_line *b, size_t from, double length, 
     for (size_t i = 0; i <= 2 * n; i++) {
         if (!add_place(c, b->v[(from + i) % n]))
             return false;
-        place *last = &c->v[c->n - 1];
+        course_place *last = &c->v[c->n - 1];
         if (last->along >= length + overlap) {
             double t = (length + overlap - last[-1].along) / (last->along - last[-1].along);
             last->at = point_mix(last[-1].at, last->at, t);
@@ -96,7 +96,7 @@ static bool go_round(course *c, const base_line *b, size_t from, double length, 
 }
 
 /* The spacing that the bend at an inner place asks for. */
-static double spacing_at(const place *p)
+static double spacing_at(const course_place *p)
 {
     point in = point_sub(p->at, p[-1].at), out = point_sub(p[1].at, p->at);
     double bend = fmin((p[1].along - p[-1].along) / 2, BEND_MM);
@@ -121,14 +121,14 @@ static void space(course *c)
 /* ---- vias ---- */
 
 /* A place on the course; the cursor *at goes with `along`, which grows. */
-static place on_course(const course *c, size_t *at, double along)
+static course_place on_course(const course *c, size_t *at, double along)
 {
     while (*at + 2 < c->n && along > c->v[*at + 1].along)
         (*at)++;
-    const place *p = c->v + *at;
+    const course_place *p = c->v + *at;
     double before = along - p->along, after = p[1].along - along, t = before / (p[1].along - p->along);
     double spacing = fmin(p->spacing + GROWTH * before, p[1].spacing + GROWTH * after);
-    return (place){point_mix(p->at, p[1].at, t), along, spacing};
+    return (course_place){point_mix(p->at, p[1].at, t), along, spacing};
 }
 
 /* Distances along the course, each one spacing from the one before, stretched to end at its end. */
@@ -156,7 +156,7 @@ static void put(const course *c, vias *v, const hand *h, double round, double mi
     size_t at = 0;
     for (size_t i = 0; i < v->n; i++) {
         double along = fmin(v->v[i].duration * stretch, end);
-        place p = on_course(c, &at, along);
+        course_place p = on_course(c, &at, along);
         point way = point_sub(c->v[at + 1].at, c->v[at].at);
         double l = plb_point_length(way), off = plb_hand_off(h, along);
         if (round > 0)

@@ -7,12 +7,12 @@
 
 #include <math.h>
 
-#define STEP_MM 0.25
-#define FEWEST_STEPS 16
+#define CURVE_STEP_MM 0.25
+#define MIN_CURVE_STEPS 16
 
 bool plb_trace_exactly(base_line *b, double length, const hand *h, path_samples *out)
 {
-    double n = fmax(ceil(length / STEP_MM), FEWEST_STEPS);
+    double n = fmax(ceil(length / CURVE_STEP_MM), MIN_CURVE_STEPS);
     if (!array_reserve(out, (size_t)n + 1))
         return false;
     for (size_t i = 0; i <= (size_t)n; i++) {

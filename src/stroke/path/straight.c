@@ -11,7 +11,7 @@
  * length, keep the straight pieces between them within 0.005 mm of it (the modes' curvature: plumbago(7)). */
 #define STEP_OF_ROOT 0.22
 #define LONGEST_STEP_MM 1.5
-#define FEWEST_STEPS 4
+#define MIN_LINE_STEPS 4
 /* A hook has samples of its own, fewer when it hardly shows. */
 #define HOOK_STEPS 4
 #define HOOK_SHOWS_MM 0.05
@@ -20,14 +20,14 @@ typedef struct {
     point from, along, left;
     const hand *h;
     path_samples *out;
-} line;
+} line_frame;
 
 static int steps_of(double hook)
 {
     return fabs(hook) > HOOK_SHOWS_MM ? HOOK_STEPS : HOOK_STEPS / 2;
 }
 
-static void add(const line *l, double along)
+static void add(const line_frame *l, double along)
 {
     double off = plb_hand_off(l->h, along);
     l->out->v[l->out->n++].at =
@@ -37,9 +37,9 @@ static void add(const line *l, double along)
 bool plb_trace_line(const base_line *b, double length, const hand *h, path_samples *out)
 {
     point along = point_scale(point_sub(b->v[1], b->v[0]), 1 / length);
-    line l = {b->v[0], along, {along.y, -along.x}, h, out};
+    line_frame l = {b->v[0], along, {along.y, -along.x}, h, out};
     double step = STEP_OF_ROOT * sqrt(length / fmax(h->strength, 0.1)), n = ceil(length / fmin(step, LONGEST_STEP_MM));
-    size_t steps = n < FEWEST_STEPS ? FEWEST_STEPS : (size_t)n;
+    size_t steps = n < MIN_LINE_STEPS ? MIN_LINE_STEPS : (size_t)n;
     double inner = length - 2 * h->hook_reach;
     if (!array_reserve(out, steps + 2 * HOOK_STEPS + 1))
         return false;

@@ -8,15 +8,15 @@
 #include "stroke/stroke.h"
 
 /* A stroke longer than this is not a drawing's: half a kilometre of pencil. */
-#define LONGEST_MM 5e5
+#define MAX_STROKE_MM 5e5
 
 bool plb_path_sample(const stroke_list *list, const stroke *s, const stroke_options *o, path_samples *out, error *err)
 {
     base_line b = plb_base_line(list, s);
     const arm_model *arm = plb_arm_of(o);
     double length = plb_base_length(&b);
-    if (!(length <= LONGEST_MM))
-        return plb_fail(err, ERROR_LIMIT, "a stroke is longer than %g m", LONGEST_MM / 1000);
+    if (!(length <= MAX_STROKE_MM))
+        return plb_fail(err, ERROR_LIMIT, "a stroke is longer than %g m", MAX_STROKE_MM / 1000);
     out->n = 0;
     out->closed = s->closed;
     out->backward = plb_hand_backward(plb_base_way(&b), o->handed);

@@ -12,10 +12,10 @@
 
 #define RIDGE 0.01            /* the square of 0.1 */
 #define CLASS_STEP 0.1        /* of correlation across */
-#define MIN_ACROSS 0.02
-#define SIDE 32               /* of the spectrum */
+#define MIN_FILTER_ACROSS 0.02
+#define SPECTRUM_SIDE 32               /* of the spectrum */
 #define MIN_POWER 1e-3
-#define REACH (GRAIN_TAPS / 2)
+#define FILTER_REACH (GRAIN_TAPS / 2)
 #define TURN 6.283185307179586
 
 /* Column c of the innovations' covariance by lag along, from column c of the wanted one; `first`: that at lag 0 is 1. */
@@ -40,38 +40,38 @@ static void solve_column(const double response[GRAIN_LAGS][GRAIN_LAGS], const do
 }
 
 /* The spectrum of an array that is even along both axes, given by its first lags. */
-static void spectrum(const double covariance[GRAIN_LAGS][GRAIN_ASIDE], const double cosine[SIDE], double power[SIDE][SIDE])
+static void spectrum(const double covariance[GRAIN_LAGS][GRAIN_ASIDE], const double cosine[SPECTRUM_SIDE], double power[SPECTRUM_SIDE][SPECTRUM_SIDE])
 {
-    for (int u = 0; u < SIDE; u++)
-        for (int v = 0; v < SIDE; v++) {
+    for (int u = 0; u < SPECTRUM_SIDE; u++)
+        for (int v = 0; v < SPECTRUM_SIDE; v++) {
             power[u][v] = 0;
             for (int d = 0; d < GRAIN_LAGS; d++)
                 for (int c = 0; c < GRAIN_ASIDE; c++)
-                    power[u][v] += covariance[d][c] * (d ? 2 : 1) * (c ? 2 : 1) * cosine[u * d % SIDE] * cosine[v * c % SIDE];
+                    power[u][v] += covariance[d][c] * (d ? 2 : 1) * (c ? 2 : 1) * cosine[u * d % SPECTRUM_SIDE] * cosine[v * c % SPECTRUM_SIDE];
         }
 }
 
 /* The tap d columns and c rows from the middle, not normalised. */
-static double tap(const double power[SIDE][SIDE], const double cosine[SIDE], int d, int c)
+static double tap(const double power[SPECTRUM_SIDE][SPECTRUM_SIDE], const double cosine[SPECTRUM_SIDE], int d, int c)
 {
     double sum = 0;
-    for (int u = 0; u < SIDE; u++)
-        for (int v = 0; v < SIDE; v++)
-            sum += sqrt(fmax(power[u][v], MIN_POWER)) * cosine[u * d % SIDE] * cosine[v * c % SIDE];
+    for (int u = 0; u < SPECTRUM_SIDE; u++)
+        for (int v = 0; v < SPECTRUM_SIDE; v++)
+            sum += sqrt(fmax(power[u][v], MIN_POWER)) * cosine[u * d % SPECTRUM_SIDE] * cosine[v * c % SPECTRUM_SIDE];
     return sum;
 }
 
 /* The middle of the root of the spectrum, with unit energy. */
 static void root_filter(const double covariance[GRAIN_LAGS][GRAIN_ASIDE], float out[GRAIN_TAPS][GRAIN_TAPS])
 {
-    double cosine[SIDE], power[SIDE][SIDE], h[GRAIN_TAPS][GRAIN_TAPS], energy = 0;
-    for (int i = 0; i < SIDE; i++)
-        cosine[i] = cos(TURN * i / SIDE);
+    double cosine[SPECTRUM_SIDE], power[SPECTRUM_SIDE][SPECTRUM_SIDE], h[GRAIN_TAPS][GRAIN_TAPS], energy = 0;
+    for (int i = 0; i < SPECTRUM_SIDE; i++)
+        cosine[i] = cos(TURN * i / SPECTRUM_SIDE);
     spectrum(covariance, cosine, power);
-    for (int d = -REACH; d <= REACH; d++)
-        for (int c = -REACH; c <= REACH; c++) {
-            double t = tap((const double(*)[SIDE])power, cosine, d < 0 ? -d : d, c < 0 ? -c : c);
-            h[d + REACH][c + REACH] = t;
+    for (int d = -FILTER_REACH; d <= FILTER_REACH; d++)
+        for (int c = -FILTER_REACH; c <= FILTER_REACH; c++) {
+            double t = tap((const double(*)[SPECTRUM_SIDE])power, cosine, d < 0 ? -d : d, c < 0 ? -c : c);
+            h[d + FILTER_REACH][c + FILTER_REACH] = t;
             energy += t * t;
         }
     for (int i = 0; i < GRAIN_TAPS * GRAIN_TAPS; i++)
@@ -99,7 +99,7 @@ void plb_grain_filter(const grain_moments *m, grain_model *g)
     for (int class = 0; class < GRAIN_CLASSES; class++) {
         for (int d = 0; d < GRAIN_LAGS; d++)
             for (int c = 0; c < GRAIN_ASIDE; c++)
-                wanted[d][c] = m->correlation[d][c] * (c == 1 ? class * CLASS_STEP / fmax(m->correlation[0][1], MIN_ACROSS) : 1);
+                wanted[d][c] = m->correlation[d][c] * (c == 1 ? class * CLASS_STEP / fmax(m->correlation[0][1], MIN_FILTER_ACROSS) : 1);
         plb_grain_solve_filter(response, wanted, g->filter[class]);
     }
 }

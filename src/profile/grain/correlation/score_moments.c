@@ -11,8 +11,8 @@
 #define FIRST_VOLATILE 2        /* lags along at which products of squares tell the volatility */
 #define CORRELATION_GAIN 1.1    /* of the next pixel: makes up for what the table's clipping takes; chosen by eye */
 #define VOLATILITY_GAIN 1.5     /* makes up for what its own decay along the line takes; chosen by eye */
-#define MIN_ACROSS 0.05
-#define MAX_ACROSS 0.95
+#define MIN_COLUMN_CORRELATION 0.05
+#define MAX_COLUMN_CORRELATION 0.95
 #define MAX_VOLATILITY 1.5
 
 typedef struct {
@@ -36,7 +36,7 @@ typedef struct {
     mean product[GRAIN_FAR_TO + 1][GRAIN_ASIDE]; /* of scores so far apart */
     mean squares[GRAIN_LAGS][GRAIN_ASIDE]; /* of their squares */
     mean step, steps;                      /* squared step along; product of two of them, two rows apart */
-} sums;
+} moment_sums;
 
 static double score_at(const grain_line *l, int k, int o, double scale)
 {
@@ -44,7 +44,7 @@ static double score_at(const grain_line *l, int k, int o, double scale)
 }
 
 /* Both diagonals count: the grain has no preferred side. */
-static void add_products(const grain_line *l, int a, int c, sums *s)
+static void add_products(const grain_line *l, int a, int c, moment_sums *s)
 {
     double scale = exp(-l->roughness);
     for (int k = 0; k + a < l->n; k++)
@@ -57,7 +57,7 @@ static void add_products(const grain_line *l, int a, int c, sums *s)
         }
 }
 
-static void add_steps(const grain_line *l, sums *s)
+static void add_steps(const grain_line *l, moment_sums *s)
 {
     double scale = exp(-l->roughness);
     for (int k = 0; k + 1 < l->n; k++)
@@ -71,7 +71,7 @@ static void add_steps(const grain_line *l, sums *s)
 }
 
 /* Correlations without what still correlates far along the line: that is the modes' part. */
-static void correlate(const sums *s, double variance, grain_moments *m)
+static void correlate(const moment_sums *s, double variance, grain_moments *m)
 {
     double plateau[GRAIN_ASIDE] = {0};
     for (int c = 0; c < GRAIN_ASIDE; c++)
@@ -86,7 +86,7 @@ static void correlate(const sums *s, double variance, grain_moments *m)
 
 /* Covariance of the log amplitudes of pixels `aside` rows apart: products of squares beyond what their correlation makes
  * (for normal variables E x²y² = 1 + 2 r²). */
-static double log_amplitude(const sums *s, double variance, const grain_moments *m, int aside)
+static double log_amplitude(const moment_sums *s, double variance, const grain_moments *m, int aside)
 {
     double sum = 0;
     for (int a = FIRST_VOLATILE; a < GRAIN_LAGS; a++) {
@@ -99,7 +99,7 @@ static double log_amplitude(const sums *s, double variance, const grain_moments 
 void plb_grain_moments(const grain_lines *lines, grain_model *g, grain_moments *m)
 {
     static const int far_lags[] = {0, 1, 2, 3, 4, 8, 9, 10, 11, 12};
-    sums s = {0};
+    moment_sums s = {0};
     for (size_t i = 0; i < lines->n; i++) {
         for (size_t a = 0; a < sizeof far_lags / sizeof *far_lags; a++)
             for (int c = 0; c < GRAIN_ASIDE; c++)
@@ -111,5 +111,5 @@ void plb_grain_moments(const grain_lines *lines, grain_model *g, grain_moments *
     double same = log_amplitude(&s, variance, m, 0), next = log_amplitude(&s, variance, m, 1), second = log_amplitude(&s, variance, m, 2);
     m->common = step > 0 ? value(s.steps) / (step * step) - 1 - 4 * second : 0;
     g->volatility = (float)clamp(sqrt(fmax(same, 0) * VOLATILITY_GAIN), 0, MAX_VOLATILITY);
-    g->volatility_across = (float)clamp(next / fmax(same, 1e-3), MIN_ACROSS, MAX_ACROSS);
+    g->volatility_across = (float)clamp(next / fmax(same, 1e-3), MIN_COLUMN_CORRELATION, MAX_COLUMN_CORRELATION);
 }

@@ -15,11 +15,11 @@
 
 #include <math.h>
 
-#define PLACE_STEP 0.5          /* px */
+#define CORRELATION_STEP 0.5          /* px */
 #define MIN_LEVEL 0.015f      /* below it there is paper and what strayed onto it; chosen by eye */
-#define ENOUGH 150              /* pairs for a place's own correlation; chosen by eye */
+#define MIN_PLACE_PAIRS 150              /* pairs for a place's own correlation; chosen by eye */
 #define DEGREES 10              /* of the expansion: r^10 of the correlations met is below a thousandth */
-#define GRID_END 5.0            /* of the scores at which the expansion is integrated … */
+#define EXPANSION_END 5.0            /* of the scores at which the expansion is integrated … */
 #define GRID_STEP 0.05          /* … and their distance */
 #define HALVINGS 20
 #define ROOT_TURN 2.5066282746310002 /* root of two pi */
@@ -41,7 +41,7 @@ static double mean_below(double z)
 static void expand(double limit, double squares[DEGREES])
 {
     double c[DEGREES] = {0}, low = mean_below(limit);
-    for (double z = -GRID_END; z <= GRID_END; z += GRID_STEP) {
+    for (double z = -EXPANSION_END; z <= EXPANSION_END; z += GRID_STEP) {
         double weight = (z < limit ? low : z) * density(z) * GRID_STEP, before = 1, h = z;
         for (int k = 1; k <= DEGREES; k++) { /* H_{k+1} = (z H_k - root(k) H_{k-1}) / root(k + 1), of unit norm */
             c[k - 1] += weight * h;
@@ -101,14 +101,14 @@ static bool score_at(const grain_line *l, const grain_model *g, int k, int o, do
 
 typedef struct {
     pair_sums along[GRAIN_PLACES], across[GRAIN_PLACES], core_along, core_across;
-} sums;
+} place_sums;
 
 static int bin_of(double place)
 {
-    return (int)fmin(fabs(place) / PLACE_STEP, GRAIN_PLACES - 1);
+    return (int)fmin(fabs(place) / CORRELATION_STEP, GRAIN_PLACES - 1);
 }
 
-static void add_pixel(const grain_line *l, const grain_model *g, int k, int o, sums *s)
+static void add_pixel(const grain_line *l, const grain_model *g, int k, int o, place_sums *s)
 {
     double here[2], there[2];
     if (!score_at(l, g, k, o, here))
@@ -139,7 +139,7 @@ static void add_pixel(const grain_line *l, const grain_model *g, int k, int o, s
 static double correlation_of(const pair_sums *s, double slow)
 {
     double r = s->near / fmax(sqrt(s->first * s->second), 1e-9), share = s->n > 0 ? s->limits / s->n : 0;
-    return uncensored(clamp((r - slow) / fmax(1 - slow, 0.1), -1, 1), share > 1e-4 ? plb_normal_quantile(fmin(share, 0.99)) : -GRID_END);
+    return uncensored(clamp((r - slow) / fmax(1 - slow, 0.1), -1, 1), share > 1e-4 ? plb_normal_quantile(fmin(share, 0.99)) : -EXPANSION_END);
 }
 
 /* What places correlate beyond the core; smoothed, and beyond the last place with enough pairs as there. */
@@ -154,12 +154,12 @@ static void relate(const pair_sums by_place[GRAIN_PLACES], const pair_sums along
     plb_smooth_folded(weighted, smooth, GRAIN_PLACES);
     plb_smooth_folded(weight, weights, GRAIN_PLACES);
     for (int k = 0; k < GRAIN_PLACES; k++)
-        out[k] = weights[k] > ENOUGH ? (float)(smooth[k] / weights[k]) : k > 0 ? out[k - 1] : 0;
+        out[k] = weights[k] > MIN_PLACE_PAIRS ? (float)(smooth[k] / weights[k]) : k > 0 ? out[k - 1] : 0;
 }
 
 void plb_grain_places(const grain_lines *lines, grain_model *g)
 {
-    sums s = {0};
+    place_sums s = {0};
     for (size_t j = 0; j < lines->n; j++)
         for (int k = 0; k < lines->v[j].n; k++)
             for (int o = 0; o < GRAIN_ROWS; o++)

@@ -14,7 +14,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#define ENOUGH 300          /* pixels for one row of the table */
+#define MIN_TABLE_PIXELS 300          /* pixels for one row of the table */
 #define WIDEN 1.3           /* of the window of levels until it holds enough */
 #define WIDEST 0.3
 #define NARROWEST 0.002
@@ -76,7 +76,7 @@ static size_t choose(pixels *p, int row)
     double c = plb_grain_levels[row];
     double above = plb_grain_levels[row < GRAIN_LEVELS - 1 ? row + 1 : row], below = plb_grain_levels[row > 0 ? row - 1 : row];
     double reach = (above - below) / 4;
-    while (reach < WIDEST && count_within(p, c, reach) < ENOUGH)
+    while (reach < WIDEST && count_within(p, c, reach) < MIN_TABLE_PIXELS)
         reach *= WIDEN;
     size_t n = 0;
     for (size_t i = 0; i < p->n; i++)

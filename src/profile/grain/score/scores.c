@@ -11,8 +11,8 @@
 
 #include <math.h>
 
-#define PLACE_STEP 0.5      /* px */
-#define ENOUGH 100          /* pixels for a place's own spread */
+#define SPREAD_STEP 0.5      /* px */
+#define MIN_SPREAD_PIXELS 100          /* pixels for a place's own spread */
 #define FADE_FROM 0.4       /* levels over which the dependence on place sets in */
 #define FADE_OVER 0.4
 #define MIN_ROUGHNESS (-2.0)
@@ -49,7 +49,7 @@ static void measure_places(const grain_lines *lines, grain_model *g)
         for (int i = 0; i < l->n * GRAIN_ROWS; i++) {
             if (isnan(l->score[i]))
                 continue;
-            int bin = (int)fmin(fabs((double)l->place[i]) / PLACE_STEP, GRAIN_PLACES - 1);
+            int bin = (int)fmin(fabs((double)l->place[i]) / SPREAD_STEP, GRAIN_PLACES - 1);
             squares[bin] += l->score[i] * l->score[i] * exp(-2 * l->roughness);
             n[bin]++;
         }
@@ -57,13 +57,13 @@ static void measure_places(const grain_lines *lines, grain_model *g)
     plb_smooth_folded(squares, smooth_squares, GRAIN_PLACES);
     plb_smooth_folded(n, smooth_n, GRAIN_PLACES);
     for (int k = 0; k < GRAIN_PLACES; k++)
-        g->place_scale[k] = smooth_n[k] > ENOUGH ? (float)fmax(0.1, sqrt(smooth_squares[k] / smooth_n[k])) : 1;
+        g->place_scale[k] = smooth_n[k] > MIN_SPREAD_PIXELS ? (float)fmax(0.1, sqrt(smooth_squares[k] / smooth_n[k])) : 1;
 }
 
 static void divide_by_place(grain_line *l, const grain_model *g)
 {
     for (int i = 0; i < l->n * GRAIN_ROWS; i++) {
-        double at_place = plb_interpolate(g->place_scale, GRAIN_PLACES, PLACE_STEP / 2, PLACE_STEP, fabs((double)l->place[i]));
+        double at_place = plb_interpolate(g->place_scale, GRAIN_PLACES, SPREAD_STEP / 2, SPREAD_STEP, fabs((double)l->place[i]));
         double fade = clamp((l->level[i] - FADE_FROM) / FADE_OVER, 0, 1);
         l->score[i] = (float)(l->score[i] / (1 + (at_place - 1) * fade));
     }

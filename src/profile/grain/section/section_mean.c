@@ -8,23 +8,23 @@
 
 #include <math.h>
 
-#define BINS 44 /* the last ones only so that smoothing does not see an end */
+#define SECTION_BINS 44 /* the last ones only so that smoothing does not see an end */
 
 void plb_grain_section(const grain_lines *lines, grain_model *g)
 {
-    double sum[BINS] = {0}, n[BINS] = {0}, smooth_sum[BINS], smooth_n[BINS];
+    double sum[SECTION_BINS] = {0}, n[SECTION_BINS] = {0}, smooth_sum[SECTION_BINS], smooth_n[SECTION_BINS];
     for (size_t j = 0; j < lines->n; j++) {
         const grain_line *l = &lines->v[j];
         for (int i = 0; i < l->n * GRAIN_ROWS; i++) {
-            int bin = (int)fmin(fabs((double)l->place[i]) / PROFILE_SECTION_STEP, BINS - 1);
+            int bin = (int)fmin(fabs((double)l->place[i]) / PROFILE_SECTION_STEP, SECTION_BINS - 1);
             if (!l->usable[i / GRAIN_ROWS])
                 continue;
             sum[bin] += l->dark[i];
             n[bin]++;
         }
     }
-    plb_smooth_folded(sum, smooth_sum, BINS);
-    plb_smooth_folded(n, smooth_n, BINS);
+    plb_smooth_folded(sum, smooth_sum, SECTION_BINS);
+    plb_smooth_folded(n, smooth_n, SECTION_BINS);
     for (int k = 0; k < GRAIN_SECTION; k++)
         g->section[k] = (float)(smooth_sum[k] / fmax(smooth_n[k], 1));
 }

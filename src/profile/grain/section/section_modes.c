@@ -15,7 +15,7 @@
 
 #define PLACES GRAIN_MODE_PLACES
 #define FIRST_PLACE (-8.0)
-#define PLACE_STEP 0.25
+#define MODE_STEP 0.25
 #define SMOOTH_RADIUS 32           /* four sigma */
 #define COLUMNS_A_MODE 100         /* with fewer the modes are chance */
 #define MIN_VARIANCE 1e-7        /* a mode below it is rounding */
@@ -44,7 +44,7 @@ static void column_at_places(const grain_line *l, int k, double v[PLACES])
     double m[GRAIN_ROWS], step = ((double)t[GRAIN_ROWS - 1] - t[0]) / (GRAIN_ROWS - 1);
     spline(y, m);
     for (int p = 0; p < PLACES; p++) {
-        double at = clamp((FIRST_PLACE + p * PLACE_STEP - t[0]) / step, 0, GRAIN_ROWS - 1);
+        double at = clamp((FIRST_PLACE + p * MODE_STEP - t[0]) / step, 0, GRAIN_ROWS - 1);
         int i = at < GRAIN_ROWS - 1 ? (int)at : GRAIN_ROWS - 2;
         double b = at - i, a = 1 - b;
         v[p] = a * y[i] + b * y[i + 1] + (a * a * a - a) * m[i] + (b * b * b - b) * m[i + 1];
@@ -116,7 +116,7 @@ static bool find_base(const grain_lines *lines, grain_model *g, double base[PLAC
         g->section[k] = (float)(root * root);
     }
     for (int p = 0; p < PLACES; p++)
-        base[p] = plb_grain_root(g, FIRST_PLACE + p * PLACE_STEP);
+        base[p] = plb_grain_root(g, FIRST_PLACE + p * MODE_STEP);
     return true;
 }
 

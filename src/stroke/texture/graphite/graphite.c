@@ -6,7 +6,7 @@
 #include "stroke/texture/models.h"
 
 /* A stroke no longer than this is a dot: the point is pressed down, not drawn along (chosen by eye). */
-#define DOT_MM 0.25
+#define MAX_DOT_MM 0.25
 
 /* The pencil is lifted only where the line ends, not at a corner; in hatching it comes down while the hand moves already,
  * in lettering it stands still at both ends. */
@@ -20,7 +20,7 @@ static grain_ends ends_of(const path_samples *path, const stroke *s, const strok
         return (grain_ends){GRAIN_JOINT, GRAIN_JOINT, first, last, careful};
     if (s->style.kind == STROKE_HATCH)
         free_first = free_last = GRAIN_LEAVE;
-    bool dot = path->n > 0 && path->v[path->n - 1].along <= DOT_MM;
+    bool dot = path->n > 0 && path->v[path->n - 1].along <= MAX_DOT_MM;
     if (dot)
         free_first = free_last = GRAIN_CORNER;
     else if (careful)

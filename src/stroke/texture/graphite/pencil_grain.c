@@ -181,16 +181,16 @@ static int16_t to_short(double v)
 #define HIGHEST_ROOT 1.8
 
 /* Beyond the place where the mean section falls below this there is only what strayed into the scans. */
-#define STRAY 0.006f
+#define STRAY_DARKNESS 0.006f
 /* No graphite farther from the centreline than this in any profile, px: scans beyond are paper. */
-#define FARTHEST 7.0
+#define MAX_REACH_PX 7.0
 
 static double reach_of(const grain_model *g)
 {
     int k = GRAIN_SECTION;
-    while (k > 1 && g->section[k - 1] < STRAY)
+    while (k > 1 && g->section[k - 1] < STRAY_DARKNESS)
         k--;
-    return fmin(k * PROFILE_SECTION_STEP, FARTHEST);
+    return fmin(k * PROFILE_SECTION_STEP, MAX_REACH_PX);
 }
 
 static void tabulate_section(grain_tables *t, const grain_model *g)

@@ -129,7 +129,7 @@ void plb_pencil_tabulate_noise(grain_tables *t, const grain_model *g)
 /* Patches of a line are rough, others smooth: over so many columns the logarithm of the grain's amplitude keeps 1/e of its
  * deviation (w0054 of hdBPMN; w0028 8). */
 #define PATCH_COLUMNS 7.0
-#define MAX_ACROSS 0.7 /* by three rows neighbours cannot correlate by more than the root of a half */
+#define MAX_NOISE_ACROSS 0.7 /* by three rows neighbours cannot correlate by more than the root of a half */
 
 /* Of the three rows that make one of amplitudes, the weight of the outer ones, so that neighbours correlate by r. */
 static double weight_beside(double r)
@@ -141,7 +141,7 @@ static double weight_beside(double r)
 void plb_pencil_tabulate_amplitude(grain_tables *t, const grain_model *g)
 {
     const int rows = 2 * NOISE_PAD;
-    double keep = exp(-1 / PATCH_COLUMNS), fresh = sqrt(1 - keep * keep), k = weight_beside(clamp((double)g->volatility_across, 0.01, MAX_ACROSS));
+    double keep = exp(-1 / PATCH_COLUMNS), fresh = sqrt(1 - keep * keep), k = weight_beside(clamp((double)g->volatility_across, 0.01, MAX_NOISE_ACROSS));
     double state[2 * NOISE_PAD] = {0}, unit = (double)g->volatility / sqrt(1 + 2 * k * k);
     uint64_t key = random_key(0, 0, PURPOSE_CHAIN);
     for (int s = 0; s < 2 * AMPLITUDE_LENGTH; s++) {

@@ -69,9 +69,9 @@ typedef struct {
     float along, step, across, aside;
     float last, middle; /* columns from `first` to the last one; row of the centreline */
     int32_t first;
-} run;
+} sample_run;
 
-PLB_SIMD_CLONES static void locate(run r, int n, int32_t *restrict column, float *restrict row, float *restrict across)
+PLB_SIMD_CLONES static void locate(sample_run r, int n, int32_t *restrict column, float *restrict row, float *restrict across)
 {
     for (int i = 0; i < n; i++) {
         float u = r.across + (float)i * r.aside;
@@ -86,7 +86,7 @@ static void locate_run(const grain *g, const sample_row *at, int from, int n, po
 {
     double begin = at->along + from * at->along_step, end = at->along + (from + n - 1) * at->along_step;
     int32_t first = (int32_t)(begin < end ? begin : end);
-    run r = {.first = first, .along = (float)(begin - first), .step = (float)at->along_step};
+    sample_run r = {.first = first, .along = (float)(begin - first), .step = (float)at->along_step};
     r.across = (float)(at->across + from * at->across_step);
     r.aside = (float)at->across_step;
     r.last = (float)(g->columns - 1 - first);

@@ -3,8 +3,8 @@
  * The passes of the plan that look at all strokes together, once each item has made its own. Each takes the list as the
  * one before left it.
  */
-#ifndef PLB_PLAN_STROKES_PASS_H
-#define PLB_PLAN_STROKES_PASS_H
+#ifndef PLB_PLAN_STROKES_PASSES_H
+#define PLB_PLAN_STROKES_PASSES_H
 
 #include "base/error.h"
 #include "list/stroke_list.h"
@@ -21,6 +21,11 @@ bool plb_plan_duplicates(stroke_list *list, double tolerance, error *err);
 bool plb_plan_join(stroke_list *list, double tolerance, int threads, error *err);
 /* smooth.c: points on a straight line are dropped, coarse polylines become the curves that they stand for. */
 bool plb_plan_smooth(stroke_list *list, error *err);
+/* neighbours.c: a straight line with another beside it must not deviate so far that the two meet: finds each line's max_deviation. At most
+ * `threads` share the work. */
+bool plb_plan_neighbours(stroke_list *list, int threads, error *err);
+/* junctions.c: a line that others end upon deviates little: lessens its max_deviation. */
+bool plb_plan_junctions(stroke_list *list, int threads, error *err);
 /* order.c: near things together; sets which end starts. */
 bool plb_plan_order(stroke_list *list, error *err);
 /* identity.c: fills in the identities. */

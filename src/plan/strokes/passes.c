@@ -2,7 +2,7 @@
  *
  * What the passes over all strokes share.
  */
-#include "plan/strokes/pass.h"
+#include "plan/strokes/passes.h"
 
 bool plb_plan_append(stroke_list *to, const stroke *as, const point *at, size_t n)
 {
