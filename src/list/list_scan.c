@@ -3,23 +3,18 @@
 
 #include <string.h>
 
-/* More bytes at hand? */
-static bool refill(list_scan *s)
-{
-    size_t size = 0;
-    while (!size)
-        if (!s->refill(s->closure, &s->at, &size))
-            return false;
-    s->end = s->at + size;
-    return true;
-}
-
+/* Is a byte at hand, or does one arrive? */
 static bool have_byte(list_scan *s)
 {
+    const char *data = NULL;
+    size_t size = 0;
     if (s->at < s->end)
         return true;
-    s->at = s->end = NULL;
-    return refill(s);
+    while (!size && !s->is_over)
+        s->is_over = !s->refill(s->closure, &data, &size);
+    s->at = s->is_over ? NULL : data;
+    s->end = s->is_over ? NULL : data + size;
+    return !s->is_over;
 }
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }

@@ -18,6 +18,7 @@ typedef struct {
     void *closure;
     error *err;          /* what went wrong; nothing moves on after that */
     const char *at, *end; /* bytes at hand that are not looked at yet */
+    bool is_over;        /* nothing more arrives */
     unsigned long line;  /* from 1 */
     const char *word;    /* the present word, not zero-terminated */
     size_t length;       /* 0: the line (or the text) ends here */
