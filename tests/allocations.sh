@@ -22,6 +22,18 @@ cat >drawings/small.ps <<'PS'
 5 5 box stroke gsave 20 20 translate 30 rotate 0 0 box fill grestore
 [3 1] 0 setdash 5 40 moveto 20 30 40 30 55 40 curveto stroke (unused) pop 3 array pop showpage
 PS
+cat >drawings/small.list <<'LIST'
+plumbago-list 1
+page 20 15
+omit image 1 a picture
+gradient linear pad 1 1 0 0 1 0 0 2 2 8 8 0 0 0 0 1 1 1 1 1 1
+clip - nonzero M 0 0 L 18 0 L 18 15 L 0 15 Z
+clip 0 evenodd M 1 1 L 17 0 L 18 15 L 0 15 Z
+stroke 1 colour 0 0 0 1 width 0.3 round dash 3 1 @ 0 M 2 12 C 6 2 10 14 16 8
+stroke 0 colour 0 0 0 1 width 0.3 round M 2 2 L 16 2
+fill - gradient@0 0.5 0.5 0.5 1 nonzero M 4 4 L 8 4 L 8 8 L 4 8 Z
+end
+LIST
 cp "$ROOT/tests/stage/entities.dxf" drawings/small.dxf
 echo '%!PS << /PageSize [30 30] >> setpagedevice .6 setgray 5 5 moveto 25 5 lineto 25 25 lineto closepath fill showpage' | sed 's/ /\n/' >drawings/hatch.ps
 "$BUILD_DIR/tap-svg" <drawings/small.svg >svg.out

@@ -8,10 +8,12 @@
 #include "list/list_scan.h"
 #include "list/list_words.h"
 
+#include <math.h>
 #include <string.h>
 
 #define TEXT_MAX 400
 #define MAX_OMISSIONS 1000000000u /* of a kind; more are not counted */
+#define FARTHEST_CLIP_MM 1e15 /* so that no later mapping makes a clip's point infinite */
 #define COUNT_DIGITS 9 /* of numbers of clips, of things left out */
 
 typedef struct {
@@ -216,6 +218,8 @@ static bool read_gradient(reader *r)
         return plb_fail(r->err, ERROR_SYNTAX, "a gradient under a matrix that has no inverse");
     if (r->is_mapped)
         g.to_space = plb_matrix_multiply(from_page, g.to_space);
+    if (!isfinite(g.to_space.xx + g.to_space.yx + g.to_space.xy + g.to_space.yy + g.to_space.x0 + g.to_space.y0))
+        return plb_fail(r->err, ERROR_SYNTAX, "a gradient whose matrix is not finite");
     return plb_list_append_gradient(r->list, &g, r->err);
 }
 
@@ -290,6 +294,15 @@ static bool take_clip(reader *r, int *index)
     return n < r->list->clips.n || plb_fail(r->err, ERROR_SYNTAX, "there is no clip %lu before", n);
 }
 
+/* Items beyond all paper are dropped; a clip cannot be, for it would hide less. */
+static bool is_near(reader *r, const path *p)
+{
+    for (size_t i = 0; i < p->points.n; i++)
+        if (!(fabs(p->points.v[i].x) <= FARTHEST_CLIP_MM && fabs(p->points.v[i].y) <= FARTHEST_CLIP_MM))
+            return plb_fail(r->err, ERROR_SYNTAX, "a clip farther than %g mm from the page", FARTHEST_CLIP_MM);
+    return true;
+}
+
 static bool read_clip(reader *r)
 {
     clip c = {0};
@@ -297,7 +310,7 @@ static bool read_clip(reader *r)
     if (!take_clip(r, &c.parent) || !take_one(r, plb_list_rules, "nonzero or evenodd", &rule) || !take_path(r))
         return false;
     c.even_odd = rule == 1;
-    if (move_path(r, &c.path) && plb_list_add_clip(r->list, &c, &index, r->err))
+    if (move_path(r, &c.path) && is_near(r, &c.path) && plb_list_add_clip(r->list, &c, &index, r->err))
         return true;
     plb_path_free(&c.path);
     return false;

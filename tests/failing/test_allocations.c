@@ -109,6 +109,7 @@ static outcome draw(const void *what)
 }
 static void svg(void) { fail_each_way(draw, "small.svg", 1, 13); }
 static void postscript(void) { fail_each_way(draw, "small.ps", 1, 17); }
+static void list_text(void) { fail_each_way(draw, "small.list", 1, 11); }
 static void hatching(void) { fail_each_way(draw, "hatch.ps", 101, 7); }
 static void dxf(void) { fail_each_way(draw, "small.dxf", 1, 19); }
 
@@ -149,6 +150,7 @@ int main(int argc, char **argv)
     whole = argc > 3;
     RUN(svg);
     RUN(postscript);
+    RUN(list_text);
     RUN(hatching);
     RUN(dxf);
     RUN(profile_file);

@@ -4,7 +4,7 @@
 . "$ROOT/tests/check.sh"
 unset -f plumbago # the real one is on the PATH below
 export PATH="$BUILD_DIR:$PATH"
-for page in "$ROOT"/man/*.1; do
+for page in "$ROOT"/man/*.1 "$ROOT/man/plumbago-list.5"; do
     rm -rf work && cp -r "$ROOT/examples" work
     commands=$(sed -nE '/^\.Sh EXAMPLES/,/^\.Sh [^E]/p' "$page" | sed -nE 's/^\.Dl "?(\$|%) (.*)/\2/p' | sed -E 's/"$//; s/\\&//g; s/\\e/\\/g; s/\\\(dq/"/g; s/\\\(aq/'"'"'/g; s/\\-/-/g; s/""/"/g')
     [ -n "$commands" ] || { fail "examples of ${page##*/}" "there are none"; continue; }

@@ -1,0 +1,77 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * See tap.h.
+ */
+#include "input/tap.h"
+
+#include "input/converter.h"
+#include "list/list_read.h"
+
+#include <string.h>
+
+static bool refill(void *closure, const char **data, size_t *size)
+{
+    return plb_process_read(closure, data, size);
+}
+
+bool plb_tap_ended_with(const tap *t, tap_status status)
+{
+    return t->process.end == PROCESS_EXITED && t->process.code == (int)status;
+}
+
+/* "NAME: text", or "NAME:LINE: text" when the text starts with the line's number and a colon. */
+static bool fail_with_message(const input_source *in, tap *t, error_kind kind, error *err)
+{
+    const char *text = plb_converter_message(&t->process);
+    size_t digits = strspn(text, "0123456789");
+    bool has_line = digits && text[digits] == ':';
+    if (!*text)
+        return plb_fail(err, kind, "%s: %s gave up without a word", in->name, t->argv[0]);
+    return plb_fail(err, kind, "%s:%s%.400s", in->name, has_line ? "" : " ", text);
+}
+
+/* Says why the tap did not succeed. */
+static bool explain_end(const input_source *in, tap *t, error *err)
+{
+    static const error_kind kinds[] = {[TAP_MALFORMED] = ERROR_SYNTAX, [TAP_REFUSED] = ERROR_UNSUPPORTED, [TAP_LIMIT] = ERROR_LIMIT,
+                                       [TAP_MISSING] = ERROR_HELPER, [TAP_HANDED_OVER] = ERROR_UNSUPPORTED};
+    int code = t->process.code;
+    if (!plb_converter_ended_by_itself(in, t->who, &t->process, err))
+        return false;
+    if (code >= 0 && code <= TAP_HANDED_OVER && kinds[code])
+        return fail_with_message(in, t, kinds[code], err);
+    return plb_fail(err, ERROR_HELPER, "%s: the helper %s failed (status %d): %.200s", in->name, t->argv[0], code, plb_converter_message(&t->process));
+}
+
+/* What was wrong with the text itself. A limit is the drawing's fault, all else the tap's. */
+static bool fail_to_read(const input_source *in, const tap *t, unsigned long line, const error *why, error *err)
+{
+    if (why->kind == ERROR_LIMIT || why->kind == ERROR_MEMORY)
+        return plb_fail(err, why->kind, "%s: %s", in->name, why->text);
+    return plb_fail(err, ERROR_HELPER, "%s: cannot read what %s wrote: line %lu: %s", in->name, t->argv[0], line, why->text);
+}
+
+bool plb_tap_read(const input_source *in, tap *t, display_list *list, error *err)
+{
+    char program[PROCESS_PATH_MAX];
+    process *p = &t->process;
+    error why = {ERROR_NONE, ""};
+    t->pages = 0;
+    *p = (process){.pid = -1, .end = PROCESS_RUNNING};
+    if (!plb_process_find(in->helper_dir, t->argv[0], program, &why) || !plb_converter_start(in, t->who, program, t->argv, p, &why))
+        return plb_fail(err, why.kind, "%s: %s", in->name, why.text);
+    list_source from = {.refill = refill, .closure = p, .name = in->name, .say = in->say};
+    plb_list_read(&from, list, &why);
+    bool stopped_early = !from.complete && p->out >= 0;
+    plb_process_finish(p);
+    if (from.complete && plb_tap_ended_with(t, TAP_DONE)) {
+        t->pages = from.pages;
+        return true;
+    }
+    plb_list_free(list);
+    plb_list_init(list);
+    /* A tap that dies leaves half a list: its death is the reason, not the half. */
+    if (!stopped_early && !plb_tap_ended_with(t, TAP_DONE))
+        return explain_end(in, t, err);
+    return fail_to_read(in, t, from.line, &why, err);
+}
