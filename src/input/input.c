@@ -4,6 +4,8 @@
  */
 #include "input/input.h"
 
+#include "input/foreign.h"
+
 #include <string.h>
 
 typedef struct {
@@ -89,17 +91,38 @@ static const input_format formats[] = {
     {"DXF", is_dxf, plb_read_dxf, NULL},
 };
 
+static const input_format *recognise(const char *data, size_t size)
+{
+    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
+        if (formats[i].recognise(data, size))
+            return &formats[i];
+    return NULL;
+}
+
+/* SVG alone may come packed. */
+static bool is_packed_drawing(const input_source *in, error *err)
+{
+    char start[LOOK_BYTES];
+    const input_format *inside = is_gzip(in->data, in->size) ? recognise(start, plb_gzip_look_inside(in->data, in->size, start, sizeof start)) : NULL;
+    if (!inside || !strcmp(inside->name, "SVG"))
+        return false;
+    plb_fail(err, ERROR_UNSUPPORTED, "%s: packed (gzip) %s: unpack it first (gunzip -c FILE | plumbago -)", in->name, inside->name);
+    return true;
+}
+
 static const input_format *find_format(const input_source *in, error *err)
 {
-    if (!in->size) {
+    const foreign_format *foreign = plb_foreign_find(in->data, in->size);
+    const input_format *f = foreign || !in->size ? NULL : recognise(in->data, in->size);
+    if (!in->size)
         plb_fail(err, ERROR_SYNTAX, "%s: the file is empty", in->name);
+    else if (foreign)
+        plb_fail(err, ERROR_UNSUPPORTED, "%s: this is %s: %s", in->name, foreign->what, foreign->help);
+    else if (!f)
+        plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG, PDF, PostScript, DXF or plumbago-list)", in->name);
+    else if (is_packed_drawing(in, err))
         return NULL;
-    }
-    for (size_t i = 0; i < sizeof formats / sizeof *formats; i++)
-        if (formats[i].recognise(in->data, in->size))
-            return &formats[i];
-    plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG, PDF, PostScript or DXF)", in->name);
-    return NULL;
+    return f;
 }
 
 bool plb_input_count_pages(const input_source *in, unsigned *pages, error *err)

@@ -45,7 +45,7 @@ static int open_input(const char *file, error *err)
     if (known && !S_ISDIR(about.st_mode) && !(S_ISREG(about.st_mode) && about.st_size > (off_t)INPUT_MAX_BYTES))
         return fd;
     if (known && S_ISDIR(about.st_mode))
-        plb_fail(err, ERROR_FILE, "%s: this is a directory", file);
+        plb_fail(err, ERROR_FILE, "%s: this is a folder; name the drawings in it (%s/*.svg)", file, file);
     else if (known)
         plb_fail(err, ERROR_LIMIT, "%s: larger than %zu MB", file, INPUT_MAX_BYTES >> 20);
     else

@@ -8,7 +8,7 @@ refuses "a file that is not there" "nothing\.svg" nothing.svg
 refuses "a file in a folder that is not there" "no/where\.svg" no/where.svg
 refuses "a file with a file in its path" "a\.svg/b\.svg" a.svg/b.svg
 mkdir folder.svg
-refuses "a directory" "folder\.svg" folder.svg
+refuses "a folder" "folder\.svg: this is a folder; name the drawings in it" folder.svg
 : >empty.svg
 refuses "an empty file" "empty\.svg" empty.svg
 refuses "no bytes on standard input" "stdin|standard input|-" - </dev/null
@@ -20,7 +20,23 @@ echo "Dear reader, this is a letter." >letter.txt
 refuses "a text" "letter\.txt" letter.txt
 cp "$BUILD_DIR/plumbago" program && refuses "a program" "program" program
 rm program
-printf '\211PNG\r\n\032\n' >picture && refuses "a PNG" "picture" picture
+# What users take for drawings is named, with what helps.
+named() { # NAME PATTERN BYTES
+    printf '%b' "$3" >picture
+    refuses "$1" "picture: this is $2" picture
+}
+named "a PNG" 'a raster picture \(PNG\): .*trace' '\0211PNG\r\n\0032\n'
+named "a JPEG" 'a raster picture \(JPEG\)' '\0377\0330\0377\0340\0000\0020JFIF'
+named "a GIF" 'a raster picture \(GIF\)' 'GIF89a\0001'
+named "a WebP" 'a raster picture \(WebP\)' 'RIFF\0001\0001\0001\0001WEBPVP8 '
+named "a TIFF" 'a raster picture \(TIFF\)' 'II*\0000\0010'
+named "a DWG" 'an AutoCAD drawing \(DWG\): save it as DXF' 'AC1015\0000\0000'
+named "HPGL" 'a plot \(HPGL\): hp2xx' 'IN;SP1;PU10,10;PD20,20;'
+named "a zip" 'an archive' 'PK\0003\0004'
+printf '%%!PS\n10 10 moveto 20 20 lineto stroke showpage\n' | gzip >packed.ps.gz
+refuses "packed PostScript" 'packed\.ps\.gz: packed \(gzip\) PostScript: unpack it first' packed.ps.gz
+printf '\037\235\220' >packed.Z && refuses "a file packed by compress" 'packed\.Z: this is packed \(compress\): unpack it' packed.Z
+gzip -c a.svg >packed.svgz && draws "packed SVG is drawn" -o packed.png packed.svgz
 printf '<html><body>no drawing</body></html>' >page.html && refuses "a page of HTML" "page\.html" page.html
 printf '%%PDF-1.4\n%%junk\n' >broken.pdf && refuses "a broken PDF" "broken\.pdf" broken.pdf
 printf '\037\213\010\000junk' >broken.svgz && refuses "a broken svgz" "broken\.svgz" broken.svgz
