@@ -8,7 +8,7 @@ bare=$(awk 'BEGIN { RS = ""; FS = "\n" }
     { for (i = 1; i <= NF; i++) { if ($i ~ /\/\*/) break; if ($i ~ /^PLB_API [a-z]/) { print $i; break } } }' src/api/plumbago.h)
 report "every prototype of plumbago.h has its comment" "$bare"
 
-for page in man/plumbago.1 man/plumbago-profile.1 man/plumbago.3 man/pencil.5; do
+for page in man/plumbago.1 man/plumbago-profile.1 man/plumbago.3 man/pencil.5 man/plumbago-list.5; do
     if [ -f $page ]; then ok "$page is there"; else fail "$page is there" "no such file"; fi
 done
 header=$(grep -oE '\bplb_[a-z_]+\(' src/api/plumbago.h | tr -d '(' | sort -u)
