@@ -101,16 +101,16 @@ static uint64_t shortest(binary v, int *exponent)
     return digits;
 }
 
-/* Most coordinates in drawings have a few decimals: value = digits / 1000 to the last bit. Of the texts with at most 15 digits
- * no two are the same double, so no shorter one is. */
+/* Most coordinates in drawings have a few decimals, those that cairo has printed six: value = digits / 10^6 to the last bit.
+ * Of the texts with at most 15 digits no two are the same double, so no shorter one is. */
 static bool find_short(double value, uint64_t *digits, int *exponent)
 {
-    enum { DECIMALS = 3 };
-    const double thousand = 1000, most = 1e12;
+    enum { DECIMALS = 6 };
+    const double unit = 1e6, most = 1e9;
     if (!(value < most))
         return false;
-    uint64_t n = (uint64_t)(value * thousand + 0.5);
-    if (!n || (double)n / thousand != value)
+    uint64_t n = (uint64_t)(value * unit + 0.5);
+    if (!n || (double)n / unit != value)
         return false;
     *exponent = -DECIMALS;
     for (; n % 10 == 0; n /= 10)
