@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * SVG and SVGZ: a helper program draws, its text is read while it runs. tap-plain is asked first where the drawing looks
+ * SVG and SVGZ: a helper program draws, the display list that it writes is read while it runs. tap-plain is asked first where the drawing looks
  * plain: it is fast, knows little, and writes nothing where it knows not all. tap-svg draws all the others by librsvg.
  * Where that refuses or dies there are second tries: malformed XML through a recovery parser, and without text (librsvg
  * 2.54 aborts on some font sizes).
  */
 #include "input/input.h"
 
-#include "tap/svg/cairoscript.h"
 #include "input/converter.h"
+#include "list/list_read.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -72,15 +72,18 @@ static outcome run_tap(const input_source *in, const char *program, manner how, 
         plb_fail(err, reading.kind, "%s: %s", in->name, reading.text);
         return FAILED;
     }
-    cairoscript_source from = {.refill = refill, .closure = &p};
-    plb_read_cairoscript(&from, list, &reading);
+    list_source from = {.refill = refill, .closure = &p, .name = in->name, .say = in->say};
+    plb_list_read(&from, list, &reading);
     bool stopped_early = !from.complete && p.out >= 0;
     plb_process_finish(&p);
     if (!stopped_early && (p.end != PROCESS_EXITED || p.code != TAP_DONE))
         return explain_end(in, &p, err);
     if (!from.complete) {
         bool plain = reading.kind == ERROR_LIMIT || reading.kind == ERROR_MEMORY;
-        plb_fail(err, reading.kind, "%s: %s%s", in->name, plain ? "" : "cannot read what tap-svg wrote: ", reading.text);
+        if (plain)
+            plb_fail(err, reading.kind, "%s: %s", in->name, reading.text);
+        else
+            plb_fail(err, reading.kind, "%s: cannot read what tap-svg wrote, line %lu: %s", in->name, from.line, reading.text);
         return FAILED;
     }
     return DONE;
@@ -137,8 +140,8 @@ static outcome read_plain(const input_source *in, display_list *list, error *err
     error why = {0};
     if (!looks_plain(in) || !plb_process_find(in->helper_dir, argv[0], program, &why) || !plb_converter_start(in, argv[0], program, argv, &p, &why))
         return MALFORMED;
-    cairoscript_source from = {.refill = refill, .closure = &p};
-    plb_read_cairoscript(&from, list, &why);
+    list_source from = {.refill = refill, .closure = &p, .name = in->name, .say = in->say};
+    plb_list_read(&from, list, &why);
     plb_process_finish(&p);
     if (from.complete && p.end == PROCESS_EXITED && p.code == 0)
         return DONE;

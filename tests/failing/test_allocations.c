@@ -9,7 +9,6 @@
 
 #include "api/plumbago.h"
 #include "base/array.h"
-#include "tap/svg/cairoscript.h"
 #include "input/input.h"
 #include "plan/plan.h"
 #include "profile/profile.h"

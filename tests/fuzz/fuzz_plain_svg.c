@@ -1,55 +1,41 @@
 /* SPDX-License-Identifier: MIT
  *
- * Any bytes as an SVG document for the reader of plain drawings: it refuses and says why, or writes a script that our
- * reader of scripts understands.
+ * Any bytes as an SVG document for the reader of plain drawings: it refuses and says why, or writes a list that our reader
+ * of lists takes.
  */
 #include "fuzz.h"
 
-#include "tap/svg/cairoscript.h"
+#include "list/list_read.h"
 #include "tap/plain/plain_svg.h"
 
 #include <string.h>
 
-static char *whole;
-static size_t length;
-
-static void collect(const char *text, size_t size)
-{
-    char *more = realloc(whole, length + size + 1);
-    fuzz_require(more != NULL);
-    whole = more;
-    memcpy(whole + length, text, size);
-    length += size;
-}
-
 static bool give_once(void *closure, const char **data, size_t *size)
 {
-    bool *given = closure;
-    *data = whole;
-    *size = length;
-    return !*given && (*given = true);
+    plain_list *made = closure;
+    if (!made->text.n)
+        return false;
+    *data = made->text.v;
+    *size = made->text.n;
+    made->text.n = 0;
+    return true;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
-    static plain_script script;
+    static plain_list made;
     char why[PLAIN_WHY] = "";
-    if (!plb_plain_svg((const char *)data, size, &script, why)) {
+    if (!plb_plain_svg((const char *)data, size, &made, why)) {
         fuzz_require(*why && memchr(why, '\0', sizeof why));
         return 0;
     }
-    length = 0;
-    plb_plain_script_write(&script, collect);
-    plb_plain_script_free(&script);
-    bool given = false;
-    cairoscript_source from = {.refill = give_once, .closure = &given};
+    list_source from = {.refill = give_once, .closure = &made, .name = "list"};
     display_list list;
     error err = {ERROR_NONE, ""};
     plb_list_init(&list);
-    bool good = plb_read_cairoscript(&from, &list, &err);
+    bool good = plb_list_read(&from, &list, &err);
     fuzz_require(good ? from.complete && list.width > 0 && list.height > 0 : err.kind == ERROR_LIMIT);
     plb_list_free(&list);
-    free(whole);
-    whole = NULL;
+    plb_plain_list_free(&made);
     return 0;
 }

@@ -1,15 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * Does what tap-svg writes show the whole drawing? Replays it by cairo's own interpreter of CairoScript and compares
- * with a reference picture of the same page.
+ * Does the display list that a tap writes show the whole drawing? Draws it by cairo and compares with a reference picture
+ * of the same page.
  *
- *     tap_replay REFERENCE.png <SCRIPT        prints RECALL PRECISION
+ *     tap_replay REFERENCE.png <LIST        prints RECALL PRECISION
  *
- * The script is recorded, turned back by the head line's matrix and drawn at the reference's size. Recall: the part of
- * the reference's ink that has ink of the replay within a pixel (the turn moves what a raster makes of an edge);
- * precision the same the other way round. Exit status 0 when both are at least 0.99.
+ * Recall: the part of the reference's ink that has ink of the list within a pixel (the turn moves what a raster makes of
+ * an edge); precision the same the other way round. Exit status 0 when both are at least 0.99. The list does not know how
+ * lines are joined: corners are drawn as SVG's are by default.
  */
-#include <cairo-script-interpreter.h>
+#include "list/display_list.h"
+#include "list/list_read.h"
+
 #include <cairo.h>
 
 #include <stdbool.h>
@@ -22,85 +24,97 @@
 #define ENOUGH 0.99
 #define INK 96   /* alpha that surely is ink */
 #define TRACE 16 /* alpha that may be the rim of ink */
+#define MITER_LIMIT 4 /* SVG 1.1, section 11.4 */
 
-typedef struct {
-    double width, height; /* mm */
-    cairo_matrix_t back;  /* script units to mm */
-} head;
-
-static bool read_head(const char *text, head *h)
+static bool refill(void *closure, const char **data, size_t *size)
 {
-    return sscanf(text, "%%%%Plumbago-tap 1 %lf %lf %lf %lf %lf %lf %lf %lf", &h->width, &h->height, &h->back.xx, &h->back.yx,
-                  &h->back.xy, &h->back.yy, &h->back.x0, &h->back.y0) == 8;
+    static char part[1 << 16];
+    size_t n = fread(part, 1, sizeof part, closure);
+    if (!n)
+        return false;
+    *data = part;
+    *size = n;
+    return true;
 }
 
-static char *read_stdin(size_t *size)
+/* ---- drawing ------------------------------------------------------------------------------------------------ */
+
+static void make_path(cairo_t *cr, const path *p)
 {
-    size_t room = 1 << 20;
-    char *text = malloc(room);
-    *size = 0;
-    while (text) {
-        size_t n = fread(text + *size, 1, room - 1 - *size, stdin);
-        if (n == 0)
-            break;
-        *size += n;
-        if (*size == room - 1) {
-            char *more = realloc(text, room *= 2);
-            if (!more)
-                free(text);
-            text = more;
+    const point *at = p->points.v;
+    cairo_new_path(cr);
+    for (size_t i = 0; i < p->ops.n; i++)
+        switch ((path_op)p->ops.v[i]) {
+        case PATH_MOVE: cairo_move_to(cr, at->x, at->y), at++; break;
+        case PATH_LINE: cairo_line_to(cr, at->x, at->y), at++; break;
+        case PATH_CURVE: cairo_curve_to(cr, at[0].x, at[0].y, at[1].x, at[1].y, at[2].x, at[2].y), at += 3; break;
+        case PATH_CLOSE: cairo_close_path(cr); break;
         }
+}
+
+static void narrow(cairo_t *cr, const display_list *list, int index)
+{
+    for (; index != NO_CLIP; index = list->clips.v[index].parent) {
+        const clip *c = &list->clips.v[index];
+        cairo_set_fill_rule(cr, c->even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+        make_path(cr, &c->path);
+        cairo_clip(cr);
     }
-    if (text)
-        text[*size] = '\0';
-    return text;
 }
 
-/* The interpreter asks for the page's surface: it gets the recording. */
-static cairo_surface_t *give_surface(void *closure, cairo_content_t content, double width, double height, long id)
+static void set_gradient(cairo_t *cr, const gradient *g)
 {
-    (void)content, (void)width, (void)height, (void)id;
-    return cairo_surface_reference(closure);
-}
-
-static cairo_t *give_context(void *closure, cairo_surface_t *surface)
-{
-    (void)closure;
-    return cairo_create(surface);
-}
-
-static bool replay(const char *text, size_t size, cairo_surface_t *recording)
-{
-    cairo_script_interpreter_hooks_t hooks = {.closure = recording, .surface_create = give_surface, .context_create = give_context};
-    cairo_script_interpreter_t *csi = cairo_script_interpreter_create();
-    cairo_script_interpreter_install_hooks(csi, &hooks);
-    cairo_status_t status = CAIRO_STATUS_SUCCESS;
-    const int most = 1 << 20;
-    for (size_t done = 0; done < size && !status;) {
-        size_t part = size - done < (size_t)most ? size - done : (size_t)most;
-        const char *end = memchr(text + done + part - 1, '\n', size - (done + part - 1)); /* whole lines only */
-        part = end ? (size_t)(end - text) + 1 - done : size - done;
-        status = cairo_script_interpreter_feed_string(csi, text + done, (int)part);
-        done += part;
+    static const cairo_extend_t extends[] = {CAIRO_EXTEND_NONE, CAIRO_EXTEND_PAD, CAIRO_EXTEND_REPEAT, CAIRO_EXTEND_REFLECT};
+    const matrix *m = &g->to_space;
+    cairo_matrix_t to_space = {m->xx, m->yx, m->xy, m->yy, m->x0, m->y0};
+    cairo_pattern_t *p = g->radial ? cairo_pattern_create_radial(g->from.x, g->from.y, g->from_radius, g->to.x, g->to.y, g->to_radius)
+                                   : cairo_pattern_create_linear(g->from.x, g->from.y, g->to.x, g->to.y);
+    for (unsigned i = 0; i < g->n; i++) {
+        const gradient_stop *s = &g->stops[i];
+        cairo_pattern_add_color_stop_rgba(p, s->offset, (double)s->red, (double)s->green, (double)s->blue, (double)s->alpha * g->opacity);
     }
-    cairo_status_t finished = cairo_script_interpreter_destroy(csi);
-    if (status || finished)
-        fprintf(stderr, "the interpreter stopped: %s\n", cairo_status_to_string(status ? status : finished));
-    return !status && !finished;
+    cairo_pattern_set_extend(p, extends[g->extend]);
+    cairo_pattern_set_matrix(p, &to_space);
+    cairo_set_source(cr, p);
+    cairo_pattern_destroy(p);
 }
 
-static cairo_surface_t *draw_back(cairo_surface_t *recording, const head *h, int width, int height)
+static void draw_item(cairo_t *cr, const display_list *list, const item *it)
+{
+    static const cairo_line_cap_t caps[] = {CAIRO_LINE_CAP_BUTT, CAIRO_LINE_CAP_ROUND, CAIRO_LINE_CAP_SQUARE};
+    const gradient *g = plb_item_gradient(list, it);
+    cairo_save(cr);
+    narrow(cr, list, it->clip);
+    if (g)
+        set_gradient(cr, g);
+    else
+        cairo_set_source_rgba(cr, it->paint.red, it->paint.green, it->paint.blue, it->paint.alpha);
+    make_path(cr, &it->path);
+    cairo_set_fill_rule(cr, it->even_odd ? CAIRO_FILL_RULE_EVEN_ODD : CAIRO_FILL_RULE_WINDING);
+    cairo_set_line_width(cr, it->width);
+    cairo_set_line_cap(cr, caps[it->cap]);
+    cairo_set_miter_limit(cr, MITER_LIMIT);
+    cairo_set_dash(cr, it->dash.v, (int)it->dash.n, it->dash_offset);
+    if (it->kind == ITEM_FILL)
+        cairo_fill(cr);
+    else
+        cairo_stroke(cr);
+    cairo_restore(cr);
+}
+
+static cairo_surface_t *draw(const display_list *list, int width, int height)
 {
     cairo_surface_t *image = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
     cairo_t *cr = cairo_create(image);
-    cairo_scale(cr, width / h->width, height / h->height);
-    cairo_transform(cr, &h->back);
-    cairo_set_source_surface(cr, recording, 0, 0);
-    cairo_paint(cr);
+    cairo_scale(cr, width / list->width, height / list->height);
+    for (size_t i = 0; i < list->items.n; i++)
+        draw_item(cr, list, &list->items.v[i]);
     cairo_destroy(cr);
     cairo_surface_flush(image);
     return image;
 }
+
+/* ---- comparing ---------------------------------------------------------------------------------------------- */
 
 static int alpha_at(cairo_surface_t *image, int x, int y)
 {
@@ -133,37 +147,43 @@ static double share(cairo_surface_t *a, cairo_surface_t *b)
     return ink ? (double)found / (double)ink : 1;
 }
 
-int main(int argc, char **argv)
+static cairo_surface_t *read_reference(const char *file)
 {
-    head h;
-    size_t size;
-    char *text = read_stdin(&size);
-    if (argc != 2 || !text || !read_head(text, &h)) {
-        fprintf(stderr, "usage: tap_replay REFERENCE.png <SCRIPT\n");
-        return 2;
+    cairo_surface_t *png = cairo_image_surface_create_from_png(file);
+    if (cairo_surface_status(png)) {
+        fprintf(stderr, "%s: %s\n", file, cairo_status_to_string(cairo_surface_status(png)));
+        exit(2);
     }
-    cairo_surface_t *png = cairo_image_surface_create_from_png(argv[1]);
-    int width = cairo_image_surface_get_width(png), height = cairo_image_surface_get_height(png);
-    cairo_surface_t *reference = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, width, height);
+    cairo_surface_t *reference = cairo_image_surface_create(CAIRO_FORMAT_ARGB32, cairo_image_surface_get_width(png), cairo_image_surface_get_height(png));
     cairo_t *cr = cairo_create(reference);
     cairo_set_source_surface(cr, png, 0, 0);
     cairo_paint(cr);
     cairo_destroy(cr);
+    cairo_surface_destroy(png);
     cairo_surface_flush(reference);
-    if (cairo_surface_status(png)) {
-        fprintf(stderr, "%s: %s\n", argv[1], cairo_status_to_string(cairo_surface_status(png)));
+    return reference;
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2) {
+        fprintf(stderr, "usage: tap_replay REFERENCE.png <LIST\n");
         return 2;
     }
-    cairo_surface_t *recording = cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, NULL);
-    if (!replay(text, size, recording))
+    display_list list;
+    error err = {ERROR_NONE, ""};
+    list_source from = {.refill = refill, .closure = stdin, .name = "list"};
+    plb_list_init(&list);
+    if (!plb_list_read(&from, &list, &err)) {
+        fprintf(stderr, "line %lu: %s\n", from.line, err.text);
         return 1;
-    cairo_surface_t *image = draw_back(recording, &h, width, height);
+    }
+    cairo_surface_t *reference = read_reference(argv[1]);
+    cairo_surface_t *image = draw(&list, cairo_image_surface_get_width(reference), cairo_image_surface_get_height(reference));
     double recall = share(reference, image), precision = share(image, reference);
     printf("%.4f %.4f\n", recall, precision);
     cairo_surface_destroy(image);
-    cairo_surface_destroy(recording);
     cairo_surface_destroy(reference);
-    cairo_surface_destroy(png);
-    free(text);
+    plb_list_free(&list);
     return recall >= ENOUGH && precision >= ENOUGH ? 0 : 1;
 }

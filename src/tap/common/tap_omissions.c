@@ -19,7 +19,7 @@
 #define DEEPEST 1000
 
 typedef struct {
-    tap_omissions lost;
+    omissions lost;
     GHashTable *by_id; /* of names to nodes, both the document's */
     unsigned long visits;
 } walk;
@@ -142,9 +142,9 @@ static bool visit_inside(walk *w, xmlNode *n, int depth)
 {
     static const char *const groups[] = {"svg", "g", "a", "switch", NULL};
     if (is(n, "image"))
-        w->lost.images++;
+        w->lost.n[OMISSION_IMAGE]++;
     else if (is(n, "foreignObject"))
-        w->lost.foreign++;
+        w->lost.n[OMISSION_FOREIGN]++;
     else if (is(n, "use"))
         return visit_used(w, n, depth);
     else
@@ -161,8 +161,8 @@ static bool visit(walk *w, xmlNode *n, int depth)
         return false;
     if (!visit_inside(w, n, depth))
         return false;
-    w->lost.masks += has(w, n, "mask");
-    w->lost.filters += has(w, n, "filter");
+    w->lost.n[OMISSION_MASK] += has(w, n, "mask");
+    w->lost.n[OMISSION_FILTER] += has(w, n, "filter");
     return true;
 }
 
@@ -198,8 +198,8 @@ static void look_through(walk *w, xmlDoc *doc)
             g_hash_table_insert(w->by_id, g_strdup(id), n);
         xmlFree(id);
         char *sheet = is(n, "style") ? (char *)xmlNodeGetContent(n) : NULL;
-        w->lost.masks += sheet ? rules(sheet, "mask") : 0;
-        w->lost.filters += sheet ? rules(sheet, "filter") : 0;
+        w->lost.n[OMISSION_MASK] += sheet ? rules(sheet, "mask") : 0;
+        w->lost.n[OMISSION_FILTER] += sheet ? rules(sheet, "filter") : 0;
         xmlFree(sheet);
     }
 }
@@ -210,7 +210,7 @@ static bool may_lose(const char *text, size_t size)
            g_strstr_len(text, (gssize)size, "filter") || g_strstr_len(text, (gssize)size, "foreignObject");
 }
 
-tap_omissions plb_tap_count_omissions(const char *text, size_t size)
+omissions plb_tap_count_omissions(const char *text, size_t size)
 {
     walk w = {.visits = 0};
     int how = XML_PARSE_RECOVER | XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | (size > TAP_LIBXML_TEXT ? XML_PARSE_HUGE : 0);

@@ -6,24 +6,16 @@
 #ifndef PLB_TAP_COMMON_TAP_PAGE_H
 #define PLB_TAP_COMMON_TAP_PAGE_H
 
-#include "tap/common/tap_omissions.h"
+#include "base/geometry/geom.h"
 
 #include <stdbool.h>
 #include <stddef.h>
 
-#define TAP_PI 3.14159265358979323846
 #define TAP_TURN_DEGREES 19.3717       /* no drawing is likely to hold this angle */
 #define TAP_MM_PER_PX (25.4 / 96)      /* CSS Values 3, section 6.2 */
 #define TAP_PX_MAX (100e3 / TAP_MM_PER_PX) /* 100 m */
 #define TAP_MAX_BYTES ((size_t)256 << 20) /* of the document, unpacked */
 #define TAP_LIBXML_TEXT ((size_t)10000000) /* libxml2 refuses longer attributes unless told otherwise */
-
-#define TAP_HEAD_MAX 400
-
-/* Of points: x' = xx x + xy y + x0, y' = yx x + yy y + y0. */
-typedef struct {
-    double xx, yx, xy, yy, x0, y0;
-} tap_matrix;
 
 typedef struct {
     double width, height; /* px */
@@ -39,7 +31,7 @@ typedef struct {
 } tap_extent;
 
 typedef struct {
-    tap_matrix turn; /* page units (px times scale) to the surface */
+    matrix turn; /* page units (px times scale) to the surface */
     double scale;
     double width, height; /* of the turned page */
     double fit;           /* librsvg's viewport holds the turned page: it is so much larger than the page */
@@ -49,7 +41,7 @@ typedef struct {
 tap_page plb_tap_page(void);
 
 /* The page's size by width, height and the size of the viewBox (NULL: none). False: only what is drawn can tell. */
-bool plb_tap_page_size(tap_page *p, tap_extent w, tap_extent h, const double *box);
+bool plb_tap_page_size(tap_page *p, tap_extent w, tap_extent h, const double *view);
 
 /* Neither empty nor too large? */
 bool plb_tap_page_is_there(const tap_page *p);
@@ -57,10 +49,11 @@ bool plb_tap_page_is_fit(const tap_page *p);
 
 tap_placing plb_tap_place(const tap_page *p);
 
-/* Points through `first`, then through `then`. */
-tap_matrix plb_tap_multiply(tap_matrix first, tap_matrix then);
-
-/* The script's first line into `line`; its length. */
-size_t plb_tap_head(const tap_page *p, tap_omissions lost, char line[TAP_HEAD_MAX]);
+/* The page on paper, mm, and the map from the script surface to it. */
+typedef struct {
+    double width, height;
+    matrix to_page;
+} tap_sheet;
+tap_sheet plb_tap_sheet(const tap_page *p);
 
 #endif

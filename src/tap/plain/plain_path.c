@@ -6,11 +6,12 @@
 
 /* Products of differences must fit 64 bits, and cairo's numbers end at 2^23 units: pages have 4096. */
 #define FARTHEST 4e6
+#define STEPS 256.0 /* of a unit of cairo's fixed-point numbers */
 #define MAX_POINTS ((size_t)1 << 25)
 
-void plb_plain_begin(plain_path *p, const tap_matrix *matrix)
+void plb_plain_begin(plain_path *p, const matrix *to_surface)
 {
-    p->matrix = *matrix;
+    p->matrix = *to_surface;
     p->n_ops = p->n_points = 0;
     p->has_current = p->failed = false;
     p->is_pending = p->is_empty = p->is_upright = true;
@@ -58,13 +59,13 @@ static void add(plain_path *p, int op, const plain_point *points, size_t n)
 
 static plain_point place(plain_path *p, double x, double y)
 {
-    const tap_matrix *m = &p->matrix;
+    const matrix *m = &p->matrix;
     double sx = (m->xx * x + m->xy * y) + m->x0, sy = (m->yx * x + m->yy * y) + m->y0;
     if (!(fabs(sx) <= FARTHEST && fabs(sy) <= FARTHEST)) {
         p->failed = true;
         return (plain_point){0, 0};
     }
-    return (plain_point){(int32_t)lrint(sx * PLAIN_STEPS), (int32_t)lrint(sy * PLAIN_STEPS)};
+    return (plain_point){(int32_t)lrint(sx * STEPS), (int32_t)lrint(sy * STEPS)};
 }
 
 static bool same(plain_point a, plain_point b) { return a.x == b.x && a.y == b.y; }
@@ -178,16 +179,16 @@ static bool find_angles(const plain_arc *a, const double u[2], const double v[2]
     if (u[0] * v[1] - u[1] * v[0] < 0)
         c->turn = -c->turn;
     if (a->is_positive && c->turn < 0)
-        c->turn += TAP_PI * 2;
+        c->turn += PLB_PI * 2;
     else if (!a->is_positive && c->turn > 0)
-        c->turn -= TAP_PI * 2;
+        c->turn -= PLB_PI * 2;
     return true;
 }
 
 /* Appendix F.6.5 and F.6.6 of SVG 1.1: too small radii are enlarged. False: nothing to draw. */
 static bool centre_arc(const plain_arc *a, centred_arc *c)
 {
-    double x1 = a->from[0], y1 = a->from[1], x2 = a->to[0], y2 = a->to[1], phi = a->rotation * TAP_PI / 180;
+    double x1 = a->from[0], y1 = a->from[1], x2 = a->to[0], y2 = a->to[1], phi = a->rotation * PLB_PI / 180;
     double mx = (x1 - x2) / 2, my = (y1 - y2) / 2, rx = fabs(a->radii[0]), ry = fabs(a->radii[1]);
     c->cosine = cos(phi);
     c->sine = sin(phi);
@@ -239,7 +240,7 @@ void plb_plain_draw_arc(plain_path *p, const plain_arc *a)
         return;
     if (!centre_arc(a, &c))
         return;
-    double pieces = ceil(fabs(c.turn / (TAP_PI * 0.5 + 0.001)));
+    double pieces = ceil(fabs(c.turn / (PLB_PI * 0.5 + 0.001)));
     if (!(pieces >= 0 && pieces <= 5)) { /* not a number */
         p->failed = true;
         return;

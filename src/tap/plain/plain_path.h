@@ -7,7 +7,6 @@
 #ifndef PLB_TAP_PLAIN_PLAIN_PATH_H
 #define PLB_TAP_PLAIN_PLAIN_PATH_H
 
-#include "tap/plain/plain_digits.h"
 #include "tap/plain/plain_text.h"
 #include "tap/common/tap_page.h"
 
@@ -22,7 +21,7 @@ typedef struct {
 enum { PLAIN_MOVE, PLAIN_LINE, PLAIN_CURVE, PLAIN_CLOSE };
 
 typedef struct {
-    tap_matrix matrix;
+    matrix matrix;
     unsigned char *ops;
     plain_point *points;
     size_t n_ops, n_points, ops_room, points_room;
@@ -35,7 +34,7 @@ typedef struct {
 } plain_path;
 
 /* Forgets the path, keeps its memory. */
-void plb_plain_begin(plain_path *p, const tap_matrix *matrix);
+void plb_plain_begin(plain_path *p, const matrix *to_surface);
 void plb_plain_free(plain_path *p);
 
 void plb_plain_move(plain_path *p, double x, double y);

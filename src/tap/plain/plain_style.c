@@ -262,61 +262,61 @@ bool plb_plain_declarations(plain_style *s, plain_text style)
 /* Into one turn from 0 on. */
 double plb_plain_radians(double degrees)
 {
-    double turn = fmod(degrees * (TAP_PI / 180), TAP_PI * 2);
-    return turn < 0 ? turn + TAP_PI * 2 : turn;
+    double turn = fmod(degrees * (PLB_PI / 180), PLB_PI * 2);
+    return turn < 0 ? turn + PLB_PI * 2 : turn;
 }
 
-static tap_matrix translation(double x, double y) { return (tap_matrix){1, 0, 0, 1, x, y}; }
+static matrix translation(double x, double y) { return (matrix){1, 0, 0, 1, x, y}; }
 
-static tap_matrix rotation(double degrees)
+static matrix rotation(double degrees)
 {
     double a = plb_plain_radians(degrees), c = cos(a), s = sin(a);
-    return (tap_matrix){c, s, -s, c, 0, 0};
+    return (matrix){c, s, -s, c, 0, 0};
 }
 
-static bool make_matrix(const double *v, int n, tap_matrix *m)
+static bool make_matrix(const double *v, int n, matrix *m)
 {
     (void)n;
-    *m = (tap_matrix){v[0], v[1], v[2], v[3], v[4], v[5]};
+    *m = (matrix){v[0], v[1], v[2], v[3], v[4], v[5]};
     return true;
 }
 
-static bool make_translation(const double *v, int n, tap_matrix *m)
+static bool make_translation(const double *v, int n, matrix *m)
 {
     *m = translation(v[0], n > 1 ? v[1] : 0);
     return true;
 }
 
-static bool make_scale(const double *v, int n, tap_matrix *m)
+static bool make_scale(const double *v, int n, matrix *m)
 {
-    *m = (tap_matrix){v[0], 0, 0, n > 1 ? v[1] : v[0], 0, 0};
+    *m = (matrix){v[0], 0, 0, n > 1 ? v[1] : v[0], 0, 0};
     return true;
 }
 
-static bool make_rotation(const double *v, int n, tap_matrix *m)
+static bool make_rotation(const double *v, int n, matrix *m)
 {
-    *m = n > 1 ? plb_tap_multiply(translation(-v[1], -v[2]), plb_tap_multiply(rotation(v[0]), translation(v[1], v[2]))) : rotation(v[0]);
+    *m = n > 1 ? plb_matrix_multiply(translation(-v[1], -v[2]), plb_matrix_multiply(rotation(v[0]), translation(v[1], v[2]))) : rotation(v[0]);
     return n != 2;
 }
 
-static bool make_skew_x(const double *v, int n, tap_matrix *m)
+static bool make_skew_x(const double *v, int n, matrix *m)
 {
     (void)n;
-    *m = (tap_matrix){1, 0, tan(plb_plain_radians(v[0])), 1, 0, 0};
+    *m = (matrix){1, 0, tan(plb_plain_radians(v[0])), 1, 0, 0};
     return true;
 }
 
-static bool make_skew_y(const double *v, int n, tap_matrix *m)
+static bool make_skew_y(const double *v, int n, matrix *m)
 {
     (void)n;
-    *m = (tap_matrix){1, tan(plb_plain_radians(v[0])), 0, 1, 0, 0};
+    *m = (matrix){1, tan(plb_plain_radians(v[0])), 0, 1, 0, 0};
     return true;
 }
 
 typedef struct {
     const char *name;
     int least, most; /* numbers */
-    bool (*make)(const double *v, int n, tap_matrix *m);
+    bool (*make)(const double *v, int n, matrix *m);
 } function;
 
 static const function functions[] = {
@@ -352,24 +352,24 @@ static bool read_arguments(plain_text *t, const function *f, double v[6], int *n
 }
 
 /* Far from singular. */
-static bool is_regular(tap_matrix m)
+static bool is_regular(matrix m)
 {
     double size = fabs(m.xx) + fabs(m.yx) + fabs(m.xy) + fabs(m.yy), det = fabs(m.xx * m.yy - m.yx * m.xy);
     return isfinite(size) && isfinite(m.x0) && isfinite(m.y0) && det > 1e-9 * size * size;
 }
 
-bool plb_plain_transform(plain_text t, tap_matrix *m)
+bool plb_plain_transform(plain_text t, matrix *m)
 {
     double v[6];
     int n;
-    *m = (tap_matrix){1, 0, 0, 1, 0, 0};
+    *m = (matrix){1, 0, 0, 1, 0, 0};
     t = plb_plain_trim(t);
     while (t.at < t.end) {
         const function *f = find_function(&t);
-        tap_matrix one;
+        matrix one;
         if (!f || !read_arguments(&t, f, v, &n) || !f->make(v, n, &one))
             return false;
-        *m = plb_tap_multiply(one, *m);
+        *m = plb_matrix_multiply(one, *m);
         plb_plain_comma(&t);
     }
     return is_regular(*m);

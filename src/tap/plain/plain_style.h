@@ -56,7 +56,7 @@ plain_paint plb_plain_stroke(const plain_style *s);
 bool plb_plain_colour(plain_text t, plain_paint *p);
 
 /* A transform attribute: from the element's units to its parent's; can be inverted. */
-bool plb_plain_transform(plain_text t, tap_matrix *m);
+bool plb_plain_transform(plain_text t, matrix *m);
 
 /* Degrees as librsvg turns them into radians. */
 double plb_plain_radians(double degrees);

@@ -27,7 +27,7 @@ typedef struct {
 } attributes;
 
 typedef struct {
-    tap_matrix matrix; /* user units to the surface's */
+    matrix matrix; /* user units to the surface's */
     plain_style style;
     bool is_shape; /* nothing in it is drawn */
 } level;
@@ -40,7 +40,7 @@ typedef struct {
     unsigned skipped;    /* depth within an element that draws nothing */
     unsigned long elements;
     bool has_page;
-    plain_script *script;
+    plain_list *list;
 } reader;
 
 static bool refuse(reader *r, const char *what, plain_text which)
@@ -57,16 +57,16 @@ static plain_text words(const char *text) { return (plain_text){text, text + str
 
 /* ---- the outermost element: page and viewBox ----------------------------------------------------------------- */
 
-static bool read_box(plain_text t, double box[4])
+static bool read_box(plain_text t, double view[4])
 {
     t = plb_plain_trim(t);
     for (int i = 0; i < 4; i++) {
         if (i)
             plb_plain_comma(&t);
-        if (!plb_plain_css_number(&t, &box[i]))
+        if (!plb_plain_css_number(&t, &view[i]))
             return false;
     }
-    return t.at == t.end && box[2] > PLAIN_NEAR && box[3] > PLAIN_NEAR;
+    return t.at == t.end && view[2] > PLAIN_NEAR && view[3] > PLAIN_NEAR;
 }
 
 static bool read_extent(plain_text t, tap_extent *e)
@@ -90,12 +90,12 @@ static double as_printed(const char *format, double v)
 }
 
 /* The turn, as the style sheet of tap_svg.c has it. */
-static tap_matrix turn_matrix(const tap_placing *l)
+static matrix turn_matrix(const tap_placing *l)
 {
     double angle = plb_plain_radians(as_printed("%.9g", TAP_TURN_DEGREES)), k = as_printed("%.12g", 1 / l->fit);
-    tap_matrix shift = {1, 0, 0, 1, as_printed("%.9g", l->turn.x0), 0}, scale = {k, 0, 0, k, 0, 0};
-    tap_matrix rotation = {cos(angle), sin(angle), -sin(angle), cos(angle), 0, 0};
-    return plb_tap_multiply(scale, plb_tap_multiply(rotation, shift));
+    matrix shift = {1, 0, 0, 1, as_printed("%.9g", l->turn.x0), 0}, scale = {k, 0, 0, k, 0, 0};
+    matrix rotation = {cos(angle), sin(angle), -sin(angle), cos(angle), 0, 0};
+    return plb_matrix_multiply(scale, plb_matrix_multiply(rotation, shift));
 }
 
 /* How the viewBox lies in the viewport: shares of the room left and above; stretched; cut off. */
@@ -141,16 +141,16 @@ static double start_of(double share, double whole, double part)
 }
 
 /* The viewBox fitted into the viewport (SVG 1.1, section 7.8), then the turn. */
-static tap_matrix root_matrix(const tap_page *p, const double box[4], const fit *f)
+static matrix root_matrix(const tap_page *p, const double view[4], const fit *f)
 {
     tap_placing l = plb_tap_place(p);
-    double w = p->width * l.scale * l.fit, h = p->height * l.scale * l.fit, x_factor = w / box[2], y_factor = h / box[3];
+    double w = p->width * l.scale * l.fit, h = p->height * l.scale * l.fit, x_factor = w / view[2], y_factor = h / view[3];
     double factor = f->is_sliced ? fmax(x_factor, y_factor) : fmin(x_factor, y_factor);
-    double inner_w = f->is_stretched ? w : box[2] * factor, inner_h = f->is_stretched ? h : box[3] * factor;
+    double inner_w = f->is_stretched ? w : view[2] * factor, inner_h = f->is_stretched ? h : view[3] * factor;
     double x = start_of(f->x, w, inner_w), y = start_of(f->y, h, inner_h);
-    tap_matrix place = {1, 0, 0, 1, x, y}, corner = {1, 0, 0, 1, -box[0], -box[1]};
-    tap_matrix scale = {((x + inner_w) - x) / box[2], 0, 0, ((y + inner_h) - y) / box[3], 0, 0};
-    return plb_tap_multiply(plb_tap_multiply(corner, plb_tap_multiply(scale, place)), turn_matrix(&l));
+    matrix place = {1, 0, 0, 1, x, y}, corner = {1, 0, 0, 1, -view[0], -view[1]};
+    matrix scale = {((x + inner_w) - x) / view[2], 0, 0, ((y + inner_h) - y) / view[3], 0, 0};
+    return plb_matrix_multiply(plb_matrix_multiply(corner, plb_matrix_multiply(scale, place)), turn_matrix(&l));
 }
 
 static bool is_zero(plain_text t)
@@ -163,22 +163,22 @@ static bool open_page(reader *r, const attributes *a, level *l)
 {
     tap_page p = plb_tap_page();
     tap_extent w, h;
-    double box[4] = {0, 0, 0, 0};
+    double view[4] = {0, 0, 0, 0};
     fit f;
     bool has_box = a->place[AT_VIEWBOX].at != NULL;
     if (!read_fit(a->place[AT_FIT], &f))
         return refuse(r, "preserveAspectRatio", a->place[AT_FIT]);
-    if (has_box && !read_box(a->place[AT_VIEWBOX], box))
+    if (has_box && !read_box(a->place[AT_VIEWBOX], view))
         return refuse(r, "viewBox", a->place[AT_VIEWBOX]);
     if (!read_extent(a->place[AT_WIDTH], &w) || !read_extent(a->place[AT_HEIGHT], &h))
         return refuse(r, "size of the page", a->place[AT_WIDTH]);
-    if (!plb_tap_page_size(&p, w, h, has_box ? box + 2 : NULL) || !plb_tap_page_is_there(&p) || !plb_tap_page_is_fit(&p))
+    if (!plb_tap_page_size(&p, w, h, has_box ? view + 2 : NULL) || !plb_tap_page_is_there(&p) || !plb_tap_page_is_fit(&p))
         return refuse(r, "size of the page", a->place[AT_WIDTH]);
     if (a->transform.at || !is_zero(a->place[AT_X]) || !is_zero(a->place[AT_Y]))
         return refuse(r, "place of the page", a->transform);
     double whole[4] = {0, 0, p.width, p.height};
-    l->matrix = root_matrix(&p, has_box ? box : whole, &f);
-    plb_plain_script_begin(r->script, &p);
+    l->matrix = root_matrix(&p, has_box ? view : whole, &f);
+    plb_plain_list_begin(r->list, &p);
     r->has_page = true;
     return true;
 }
@@ -324,23 +324,23 @@ static bool read_attributes(reader *r, const element *e, attributes *a, plain_st
 
 static bool draw_shape(reader *r, const element *e, const attributes *a, const level *l)
 {
-    plain_path *p = &r->script->path;
+    plain_path *p = &r->list->path;
     plb_plain_begin(p, &l->matrix);
     if (!e->draw(p, a, l->style.pen.cap == PLAIN_SQUARE))
         return refuse(r, "numbers of a", words(e->name));
-    return plb_plain_draw(r->script, &l->style) || refuse(r, "beyond limits: a", words(e->name));
+    return plb_plain_draw(r->list, &l->style) || refuse(r, "beyond limits: a", words(e->name));
 }
 
 static bool place_element(reader *r, const element *e, const attributes *a, level *l)
 {
-    tap_matrix own;
+    matrix own;
     if (e == &root)
         return open_page(r, a, l);
     if (!a->transform.at)
         return true;
     if (!plb_plain_transform(a->transform, &own))
         return refuse(r, "transform", a->transform);
-    l->matrix = plb_tap_multiply(own, l->matrix);
+    l->matrix = plb_matrix_multiply(own, l->matrix);
     return true;
 }
 
@@ -441,9 +441,9 @@ static void on_attribute_declaration(void *context, const xmlChar *of, const xml
 }
 
 /* Warnings, too: librsvg stops at some. */
-static void on_error(void *context, xmlError *error)
+static void on_error(void *context, xmlError *fault)
 {
-    (void)error;
+    (void)fault;
     refuse(reader_of(context), "malformed XML", (plain_text){NULL, NULL});
 }
 
@@ -467,19 +467,19 @@ static void parse(reader *r, const char *text, size_t size)
     xmlFreeDoc(xmlCtxtReadMemory(r->parser, text, (int)size, NULL, NULL, how));
     if (!r->parser->wellFormed || r->parser->hasPErefs || !r->has_page)
         refuse(r, "malformed XML", (plain_text){NULL, NULL});
-    if (!*r->why && !plb_plain_script_end(r->script))
-        refuse(r, "a script too long", (plain_text){NULL, NULL});
+    if (!*r->why && !plb_plain_list_end(r->list))
+        refuse(r, "a list too long", (plain_text){NULL, NULL});
 }
 
-bool plb_plain_svg(const char *text, size_t size, plain_script *script, char why[PLAIN_WHY])
+bool plb_plain_svg(const char *text, size_t size, plain_list *list, char why[PLAIN_WHY])
 {
-    reader r = {.parser = xmlNewParserCtxt(), .script = script, .why = why};
+    reader r = {.parser = xmlNewParserCtxt(), .list = list, .why = why};
     strcpy(why, r.parser ? "" : "out of memory");
     if (r.parser) {
         parse(&r, text, size);
         xmlFreeParserCtxt(r.parser);
     }
     if (*why && r.has_page)
-        plb_plain_script_free(script);
+        plb_plain_list_free(list);
     return !*why;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Plain SVG becomes CairoScript without librsvg and cairo, in a twentieth of the time. Plain is what CAD programs,
+ * Plain SVG becomes a display list without librsvg and cairo, in a twentieth of the time. Plain is what CAD programs,
  * plotters and scripts write: groups, paths and basic shapes with colours, transforms and a size. librsvg stays the judge
  * of all else and of what the plain means:
  *
@@ -13,12 +13,12 @@
 #ifndef PLB_TAP_PLAIN_PLAIN_SVG_H
 #define PLB_TAP_PLAIN_PLAIN_SVG_H
 
-#include "tap/plain/plain_script.h"
+#include "tap/plain/plain_list.h"
 
 #define PLAIN_WHY 100
 
-/* text[0..size): the document. True: `script` has the whole output, to be released by plb_plain_script_free. False: it
+/* text[0..size): the document. True: list->text is the whole output, to be released by plb_plain_list_free. False: it
  * is not plain (nothing is to be released), and `why` says what was met first. */
-bool plb_plain_svg(const char *text, size_t size, plain_script *script, char why[PLAIN_WHY]);
+bool plb_plain_svg(const char *text, size_t size, plain_list *list, char why[PLAIN_WHY]);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * tap-plain: plain SVG (plain_svg.h) on descriptor 0 becomes CairoScript on descriptor 1, the same that tap-svg would
- * make of it. Exit status 0: that is done. 2: it is not plain, a line on standard error says what is not, and nothing was
+ * tap-plain: plain SVG (plain_svg.h) on descriptor 0 becomes a display list on descriptor 1, the same that tap-svg
+ * would make of it. Exit status 0: that is done. 2: it is not plain, a line on standard error says what is not, and nothing was
  * written: tap-svg is to be asked. It links no more than libxml2, so that it starts soon.
  */
 #include "tap/plain/plain_svg.h"
@@ -47,7 +47,7 @@ static char *read_document(size_t *size)
     }
 }
 
-static void put_piece(const char *text, size_t size)
+static void put(const char *text, size_t size)
 {
     for (size_t done = 0; done < size;) {
         ssize_t n = write(STDOUT_FILENO, text + done, size - done);
@@ -59,15 +59,15 @@ static void put_piece(const char *text, size_t size)
 
 int main(int argc, char **argv)
 {
-    static plain_script script;
+    static plain_list list;
     char why[PLAIN_WHY];
     size_t size;
     (void)argv;
     if (argc > 1)
-        quit(EXIT_USAGE, "usage: ", "tap-plain <drawing.svg >script");
+        quit(EXIT_USAGE, "usage: ", "tap-plain <drawing.svg >list");
     char *text = read_document(&size);
-    if (!plb_plain_svg(text, size, &script, why))
+    if (!plb_plain_svg(text, size, &list, why))
         quit(EXIT_UNPLAIN, "not plain: ", why);
-    plb_plain_script_write(&script, put_piece);
+    put(list.text.v, list.text.n);
     _exit(EXIT_DONE); /* no time for tidying up */
 }

@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * CairoScript: the tap's head line, then token by token through the tables of operators. There is no recursion and
- * no loop in the language, only a stack.
+ * CairoScript: token by token through the tables of operators. There is no recursion and no loop in the language, only
+ * a stack.
  */
 #include "tap/svg/cairoscript.h"
 
-#include "base/number/number.h"
 #include "tap/svg/cairoscript_state.h"
 
-#include <math.h>
 #include <string.h>
 
 /* ---- brackets ----------------------------------------------------------------------------------------------- */
@@ -153,22 +151,18 @@ static bool run_name(script_state *s, const token *t)
     return plb_fail(s->err, ERROR_SYNTAX, "unknown operator %.*s", shown, t->text);
 }
 
-/* { ... }: only glyph procedures of bitmap fonts are written like this. */
-static bool skip_procedure(script_state *s)
+/* { ... }: only glyph procedures of bitmap fonts are written like this; they are passed over. */
+static bool pass_over(script_state *s, const token *t)
 {
-    token t;
-    for (size_t depth = 1; depth;) {
-        if (!plb_scan_next(&s->scan, &t, s->err))
-            return false;
-        if (t.kind == TOKEN_END)
-            return plb_fail(s->err, ERROR_SYNTAX, "a procedure never ends");
-        depth += (t.kind == TOKEN_PROC_OPEN) - (size_t)(t.kind == TOKEN_PROC_CLOSE);
-    }
-    return push_opaque(s);
+    s->procedures += t->kind == TOKEN_PROC_OPEN;
+    s->procedures -= t->kind == TOKEN_PROC_CLOSE;
+    return s->procedures || push_opaque(s);
 }
 
 static bool run_token(script_state *s, const token *t)
 {
+    if (s->procedures || t->kind == TOKEN_PROC_OPEN)
+        return pass_over(s, t);
     switch (t->kind) {
     case TOKEN_NUMBER: return plb_script_push(s, (script_value){.kind = VALUE_NUMBER, .number = t->number});
     case TOKEN_NAME: return run_name(s, t);
@@ -178,84 +172,111 @@ static bool run_token(script_state *s, const token *t)
     case TOKEN_DICT_OPEN: return plb_script_push(s, (script_value){.kind = VALUE_MARK});
     case TOKEN_ARRAY_CLOSE: return close_array(s);
     case TOKEN_DICT_CLOSE: return close_dictionary(s);
-    case TOKEN_PROC_OPEN: return skip_procedure(s);
     case TOKEN_STRING:
     case TOKEN_DATA: return push_opaque(s);
     default: return plb_fail(s->err, ERROR_SYNTAX, "a } without its {");
     }
 }
 
-/* ---- the head line ------------------------------------------------------------------------------------------ */
+/* ---- pieces of text ----------------------------------------------------------------------------------------- */
 
-#define HEAD_MAX 400
-#define HEAD_WORD "%%Plumbago-tap 1"
-enum { HEAD_PLACE = 8, HEAD_NUMBERS = 12 }; /* a page and a matrix; then counts, of which the last may be missing */
+#define PART_BYTES ((size_t)1 << 16)
 
-/* The first line into `line`; the scanner is set to what follows. */
-static bool read_head_line(script_state *s, cairoscript_source *from, char line[HEAD_MAX], size_t *length)
+/* The scanner wants more than there is. */
+static bool note_end(void *closure, const char **data, size_t *size)
 {
-    const char *data = NULL;
-    size_t size = 0;
-    *length = 0;
-    while (from->refill(from->closure, &data, &size)) {
-        for (size_t i = 0; i < size; i++) {
-            if (data[i] == '\n') {
-                plb_scan_init(&s->scan, data + i + 1, size - i - 1);
-                return true;
-            }
-            if (*length == HEAD_MAX)
-                return plb_fail(s->err, ERROR_SYNTAX, "its first line is too long");
-            line[(*length)++] = data[i];
+    (void)data, (void)size;
+    *(bool *)closure = true;
+    return false;
+}
+
+/* Runs the tokens of s->text. One that reaches its end may go on in the next part: unless this is the last, it is left,
+ * to be scanned again. */
+static bool run_part(script_state *s, bool is_last, error *err)
+{
+    scanner *in = &s->scan;
+    token t;
+    bool at_end = false;
+    in->at = s->text.v;
+    in->end = s->text.v + s->text.n;
+    in->closure = &at_end;
+    for (;;) {
+        const char *start = in->at;
+        int line = in->next_line;
+        in->refill = note_end;
+        bool ok = plb_scan_next(in, &t, err);
+        if (at_end && !is_last) {
+            in->at = start;
+            in->next_line = line;
+            return true;
         }
+        if (!ok || (t.kind != TOKEN_END && !run_token(s, &t)))
+            return false;
+        if (t.kind == TOKEN_END)
+            return !s->procedures || plb_fail(err, ERROR_SYNTAX, "a procedure never ends");
     }
-    return plb_fail(s->err, ERROR_SYNTAX, "it is empty");
 }
 
-static bool read_head(script_state *s, cairoscript_source *from)
-{
-    char line[HEAD_MAX];
-    size_t length;
-    double v[HEAD_NUMBERS] = {0};
-    if (!read_head_line(s, from, line, &length))
-        return false;
-    const char *at = line + strlen(HEAD_WORD), *end = line + length;
-    bool ok = length > strlen(HEAD_WORD) && !memcmp(line, HEAD_WORD, strlen(HEAD_WORD));
-    for (int i = 0; ok && i < HEAD_NUMBERS; i++)
-        ok = (at == end && i == HEAD_NUMBERS - 1) || (at < end && *at == ' ' && plb_parse_number(at + 1, end, &v[i], &at) && isfinite(v[i]));
-    if (!ok || !(v[0] > 0) || !(v[1] > 0))
-        return plb_fail(s->err, ERROR_SYNTAX, "its first line is not \"" HEAD_WORD "\" and %d numbers", HEAD_NUMBERS - 1);
-    s->page->width = v[0];
-    s->page->height = v[1];
-    memcpy(&s->to_page, v + 2, sizeof s->to_page);
-    static const omission_kind kinds[HEAD_NUMBERS - HEAD_PLACE] = {OMISSION_IMAGE, OMISSION_MASK, OMISSION_FILTER, OMISSION_FOREIGN};
-    for (int i = HEAD_PLACE; i < HEAD_NUMBERS; i++)
-        s->page->omissions.n[kinds[i - HEAD_PLACE]] += (unsigned long)fmin(fmax(v[i], 0), 1e9);
-    return true;
-}
-
-bool plb_read_cairoscript(cairoscript_source *from, display_list *list, error *err)
+/* Tells where in the text an error is, unless nobody is to blame for it. */
+static bool run(script_state *s, bool is_last, error *err)
 {
     error inner = {0};
-    script_state s = {.page = list, .err = &inner};
-    token t;
-    bool ok = read_head(&s, from);
-    from->complete = false;
-    if (ok) {
-        s.scan.refill = from->refill;
-        s.scan.closure = from->closure;
-    }
-    while (ok) {
-        ok = plb_scan_next(&s.scan, &t, &inner);
-        if (!ok || t.kind == TOKEN_END)
-            break;
-        ok = run_token(&s, &t);
-    }
-    int line = s.scan.line + 1;
-    plb_script_free(&s);
-    from->complete = ok;
+    s->err = &inner;
+    bool ok = run_part(s, is_last, &inner);
+    s->err = NULL;
     if (ok)
         return true;
     if (inner.kind == ERROR_LIMIT || inner.kind == ERROR_MEMORY)
         return plb_fail(err, inner.kind, "%s", inner.text);
-    return plb_fail(err, inner.kind, "line %d: %s", line, inner.text);
+    return plb_fail(err, inner.kind, "line %d: %s", s->scan.line, inner.text);
+}
+
+cairoscript *plb_cairoscript_new(list_writer *out, double width, double height, matrix to_page)
+{
+    script_state *s = plb_new(1, sizeof *s);
+    if (!s)
+        return NULL;
+    plb_list_init(&s->page);
+    s->page.width = width;
+    s->page.height = height;
+    s->to_page = to_page;
+    s->out = out;
+    s->written = to_page;
+    s->part = PART_BYTES;
+    plb_scan_init(&s->scan, "", 0);
+    return s;
+}
+
+bool plb_cairoscript_feed(cairoscript *s, const char *data, size_t n, error *err)
+{
+    if (!array_reserve(&s->text, n))
+        return plb_fail_memory(err);
+    memcpy(s->text.v + s->text.n, data, n);
+    s->text.n += n;
+    if (s->text.n < s->part)
+        return true;
+    if (!run(s, false, err))
+        return false;
+    size_t left = (size_t)(s->scan.end - s->scan.at);
+    memmove(s->text.v, s->scan.at, left);
+    s->text.n = left;
+    /* A long token is tried again when there is twice as much of it: time stays in proportion. */
+    s->part = 2 * left > PART_BYTES ? 2 * left : PART_BYTES;
+    return true;
+}
+
+bool plb_cairoscript_end(cairoscript *s, omissions *lost, error *err)
+{
+    bool ok = run(s, true, err);
+    s->text.n = 0;
+    for (int k = 0; k < OMISSION_KINDS; k++)
+        lost->n[k] += s->page.omissions.n[k];
+    return ok;
+}
+
+void plb_cairoscript_free(cairoscript *s)
+{
+    plb_script_free(s);
+    plb_list_free(&s->page);
+    plb_free(s);
 }

@@ -1,26 +1,29 @@
 /* SPDX-License-Identifier: MIT
  *
- * The text that tap-svg writes becomes a display list. The language is CairoScript as cairo 1.16's script surface
- * writes it (cairo-script-surface.c): a stack language without loops or definitions, so that reading it takes time
- * and memory in proportion to its length.
+ * The text that cairo's script surface writes becomes a display list while it is written. The language is CairoScript
+ * as cairo 1.16 has it (cairo-script-surface.c): a stack language without loops or definitions, so that reading it
+ * takes time and memory in proportion to its length. What reaches the page goes out at once; only groups are kept until
+ * they are painted.
  */
 #ifndef PLB_TAP_SVG_CAIROSCRIPT_H
 #define PLB_TAP_SVG_CAIROSCRIPT_H
 
 #include "base/error.h"
 #include "list/display_list.h"
+#include "list/list_write.h"
 
 #include <stddef.h>
 
-typedef struct {
-    /* Gives more bytes (and true), or false at the end of the text. */
-    bool (*refill)(void *closure, const char **data, size_t *size);
-    void *closure;
-    bool complete; /* set by the reader: the whole text was read and understood */
-} cairoscript_source;
+typedef struct script_state cairoscript;
 
-/* Reads the text into `list` (initialised by the caller): page size, items, clips, counts. On failure what was read
- * so far stays in `list`, and `err` says what is wrong with the tap's text, without a file name. */
-bool plb_read_cairoscript(cairoscript_source *from, display_list *list, error *err);
+/* A reader that writes items, clips and gradients to `out`, which lives as long and has its page already: of so many
+ * mm, and with `to_page`, from the units of the script's outermost surface, as its matrix. NULL: out of memory. */
+cairoscript *plb_cairoscript_new(list_writer *out, double width, double height, matrix to_page);
+/* Takes more of the text, in pieces of any size. False and `err`: it is no such script, or goes beyond the limits; then
+ * nothing more is to be fed. */
+bool plb_cairoscript_feed(cairoscript *s, const char *data, size_t n, error *err);
+/* The text is whole: reads what is left of it, and adds what was left out to `lost`. */
+bool plb_cairoscript_end(cairoscript *s, omissions *lost, error *err);
+void plb_cairoscript_free(cairoscript *s);
 
 #endif

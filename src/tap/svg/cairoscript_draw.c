@@ -220,7 +220,7 @@ static bool op_mask(script_state *s)
     if (!plb_script_pop(s))
         return false;
     if (!solid)
-        s->page->omissions.n[OMISSION_MASK]++;
+        s->page.omissions.n[OMISSION_MASK]++;
     script_context *c = top_context(s);
     return c && plb_script_paint(s, c, alpha);
 }

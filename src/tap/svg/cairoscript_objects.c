@@ -103,7 +103,7 @@ static bool op_surface(script_state *s)
 {
     if (!plb_script_pop_kind(s, VALUE_OPAQUE, "dictionary"))
         return false;
-    display_list *list = s->has_page ? NULL : s->page;
+    display_list *list = s->has_page ? NULL : &s->page;
     s->has_page = true;
     return push_surface(s, list, 0, 0, false);
 }
@@ -154,9 +154,12 @@ static bool op_pattern(script_state *s)
     return plb_script_pop(s) && plb_script_push_object(s, &p->head);
 }
 
+static double share(double v) { return fmin(fmax(v, 0), 1); }
+
 static bool push_colour(script_state *s, double red, double green, double blue, double alpha)
 {
-    script_pattern *p = plb_script_new_pattern(s, (paint){PAINT_SOLID, red, green, blue, alpha});
+    paint colour = {PAINT_SOLID, share(red), share(green), share(blue), share(alpha)};
+    script_pattern *p = plb_script_new_pattern(s, colour);
     return p && plb_script_push_object(s, &p->head);
 }
 
@@ -218,6 +221,8 @@ static bool op_add_stop(script_state *s)
     script_pattern *p = plb_script_take(s, 5, v) ? plb_script_top(s, OBJECT_PATTERN) : NULL;
     if (!p)
         return false;
+    for (int i = 0; i < 5; i++)
+        v[i] = share(v[i]);
     p->paint.red += v[1];
     p->paint.green += v[2];
     p->paint.blue += v[3];

@@ -3,9 +3,8 @@
  * Painting for the CairoScript reader: paths become items of the display list. A group (a surface of its own that is
  * then painted) is spliced in place: its items, mapped by the pattern's matrix, under the current clip.
  */
+#include "tap/common/tap_area.h"
 #include "tap/svg/cairoscript_state.h"
-
-#include <math.h>
 
 /* How far back a clip is looked for that was made before: the same one comes again for each element. */
 #define CLIPS_BACK 8
@@ -13,7 +12,7 @@
 /* Groups can be painted twice in each group above: what all that are alive hold together is bounded. */
 static bool count_held(script_state *s, script_surface *f)
 {
-    if (f->list == s->page)
+    if (f->list == &s->page)
         return true;
     size_t held = f->list->points + (f->list->items.n + f->list->clips.n) * SCRIPT_ITEM_POINTS;
     s->held += held - f->held;
@@ -21,42 +20,79 @@ static bool count_held(script_state *s, script_surface *f)
     return s->held <= LIST_MAX_POINTS || plb_fail(s->err, ERROR_LIMIT, "the drawing's groups hold more than %u points", LIST_MAX_POINTS);
 }
 
-static bool add_item(script_state *s, script_surface *f, item *it)
+/* A copy of the item, whose path `m` maps to the list; all else is in the list's units. */
+static bool copy_item(script_state *s, const item *from, matrix m, item *to)
 {
-    if (!plb_list_add(f->list, it, s->err)) {
-        plb_item_free(it);
+    *to = *from;
+    to->path = (path){0};
+    to->dash.v = NULL;
+    to->dash.n = to->dash.capacity = 0;
+    bool ok = plb_path_append(&to->path, &from->path, m) && array_reserve(&to->dash, from->dash.n);
+    for (size_t i = 0; ok && i < from->dash.n; i++)
+        to->dash.v[to->dash.n++] = from->dash.v[i];
+    if (ok)
+        return true;
+    plb_item_free(to);
+    return plb_fail_memory(s->err);
+}
+
+/* On the page it is written, in a group it is kept. `it` stays the caller's. */
+static bool add_item(script_state *s, script_surface *f, const item *it, matrix m)
+{
+    item copy;
+    if (f->list == &s->page)
+        return plb_script_write_item(s, it, m);
+    if (!copy_item(s, it, m, &copy))
+        return false;
+    if (!plb_list_add(f->list, &copy, s->err)) {
+        plb_item_free(&copy);
         return false;
     }
     return count_held(s, f);
 }
 
-/* Moves `narrow` into the surface's list, unless the same one is there already. */
-static bool add_clip(script_state *s, script_surface *f, clip *narrow, int *index)
+/* The index of the clip in the surface's list, where it is added unless the same one is there already. `m` maps its path
+ * to the list. */
+static bool add_clip(script_state *s, script_surface *f, const clip *c, matrix m, int *index)
 {
+    clip narrow = {.even_odd = c->even_odd, .parent = c->parent};
+    if (!plb_path_append(&narrow.path, &c->path, m)) {
+        plb_path_free(&narrow.path);
+        return plb_fail_memory(s->err);
+    }
     size_t n = f->list->clips.n;
     for (size_t back = 1; back <= CLIPS_BACK && back <= n; back++) {
-        const clip *c = &f->list->clips.v[n - back];
-        if (c->parent != narrow->parent || c->even_odd != narrow->even_odd || !plb_path_equal(&c->path, &narrow->path))
+        const clip *other = &f->list->clips.v[n - back];
+        if (other->parent != narrow.parent || other->even_odd != narrow.even_odd || !plb_path_equal(&other->path, &narrow.path))
             continue;
-        plb_path_free(&narrow->path);
+        plb_path_free(&narrow.path);
         *index = (int)(n - back);
         return true;
     }
-    if (!plb_list_add_clip(f->list, narrow, index, s->err)) {
-        plb_path_free(&narrow->path);
+    if (!plb_list_add_clip(f->list, &narrow, index, s->err)) {
+        plb_path_free(&narrow.path);
         return false;
     }
-    return count_held(s, f);
+    return f->list == &s->page ? plb_script_write_clip(s, c, m) : count_held(s, f);
 }
 
 bool plb_script_clip(script_state *s, script_context *c)
 {
-    clip narrow = {.even_odd = c->even_odd, .parent = c->clip};
-    if (!plb_path_append(&narrow.path, &c->path, c->target->to_list)) {
-        plb_path_free(&narrow.path);
-        return plb_fail_memory(s->err);
-    }
-    return add_clip(s, c->target, &narrow, &c->clip);
+    clip narrow = {.path = c->path, .even_odd = c->even_odd, .parent = c->clip};
+    return add_clip(s, c->target, &narrow, c->target->to_list, &c->clip);
+}
+
+static bool add_gradient(script_state *s, script_surface *f, const gradient *g, unsigned *index)
+{
+    size_t n = f->list->gradients.n;
+    *index = 0;
+    if (!plb_script_is_sane_gradient(g))
+        return true;
+    if (!plb_list_add_gradient(f->list, g, index, s->err))
+        return false;
+    if (f->list == &s->page && f->list->gradients.n > n)
+        plb_script_write_gradient(s, g);
+    return true;
 }
 
 static paint source_paint(const script_pattern *p)
@@ -74,7 +110,7 @@ static paint source_paint(const script_pattern *p)
 }
 
 /* The source's gradient, with its place on the surface's list. 0: none, or one that is squeezed flat. */
-static bool add_gradient(script_state *s, script_surface *f, const script_pattern *p, const path *fills, unsigned *index)
+static bool add_source(script_state *s, script_surface *f, const script_pattern *p, const path *fills, unsigned *index)
 {
     matrix back;
     *index = 0;
@@ -82,7 +118,7 @@ static bool add_gradient(script_state *s, script_surface *f, const script_patter
         return true;
     gradient g = *p->gradient;
     g.to_space = plb_matrix_multiply(back, plb_script_gradient_matrix(s, p, fills));
-    return plb_list_add_gradient(f->list, &g, index, s->err);
+    return add_gradient(s, f, &g, index);
 }
 
 static bool is_group(const script_pattern *p)
@@ -99,86 +135,23 @@ static void drop_last_move(path *p)
     p->points.n--;
 }
 
-/* How far points may lie off a line, in steps of cairo's numbers (1/256), to count as on it. */
-#define FLAT (4.0 / 256)
-
-/* Do all points from `from` to `to` lie on one line? */
-static bool is_flat(const point *from, const point *to)
-{
-    point far = {0, 0};
-    for (const point *p = from; p < to; p++)
-        if (plb_point_length(point_sub(*p, *from)) > plb_point_length(far))
-            far = point_sub(*p, *from);
-    double length = plb_point_length(far);
-    for (const point *p = from; p < to; p++)
-        if (fabs(point_cross(far, point_sub(*p, *from))) > FLAT * length)
-            return false;
-    return true;
-}
-
-/* True when no subpath has an area: a lone line is "filled" by many drawings, because filling is SVG's default. */
-static bool has_no_area(const path *p)
-{
-    static const size_t points_of[] = {[PATH_MOVE] = 1, [PATH_LINE] = 1, [PATH_CURVE] = 3, [PATH_CLOSE] = 0};
-    size_t start = 0, at = 0;
-    if (!p->points.n)
-        return true;
-    for (size_t i = 0; i < p->ops.n; i++) {
-        if (p->ops.v[i] == PATH_MOVE) {
-            if (!is_flat(p->points.v + start, p->points.v + at))
-                return false;
-            start = at;
-        }
-        at += points_of[p->ops.v[i]];
-    }
-    return is_flat(p->points.v + start, p->points.v + at);
-}
-
-/* The context's path and paint as an item of the target's list. */
+/* The context's path, borrowed and in the surface's units, and its paint as an item of the target's list. */
 static bool start_item(script_state *s, const script_context *c, item_kind kind, item *it)
 {
-    *it = (item){.kind = kind, .paint = source_paint(c->source), .clip = c->clip};
-    if (!add_gradient(s, c->target, c->source, &c->path, &it->gradient))
-        return false;
-    if (!plb_path_append(&it->path, &c->path, c->target->to_list)) {
-        plb_path_free(&it->path);
-        return plb_fail_memory(s->err);
-    }
+    *it = (item){.kind = kind, .path = c->path, .paint = source_paint(c->source), .clip = c->clip};
     drop_last_move(&it->path);
-    return true;
+    return add_source(s, c->target, c->source, &c->path, &it->gradient);
 }
 
 /* ---- groups ----------------------------------------------------------------------------------------------- */
-
-static bool copy_item(script_state *s, const item *from, matrix m, item *to)
-{
-    *to = *from;
-    to->path = (path){0};
-    to->dash.v = NULL;
-    to->dash.n = to->dash.capacity = 0;
-    double f = plb_matrix_expansion(m);
-    to->width *= f;
-    to->dash_offset *= f;
-    bool ok = plb_path_append(&to->path, &from->path, m) && array_reserve(&to->dash, from->dash.n);
-    for (size_t i = 0; ok && i < from->dash.n; i++)
-        to->dash.v[to->dash.n++] = from->dash.v[i] * f;
-    if (ok)
-        return true;
-    plb_item_free(to);
-    return plb_fail_memory(s->err);
-}
 
 /* The group's clips in the target's list; where[i] is the new index of the group's clip i. */
 static bool splice_clips(script_state *s, script_surface *to, const display_list *group, matrix m, int outer, int *where)
 {
     for (size_t i = 0; i < group->clips.n; i++) {
-        const clip *from = &group->clips.v[i];
-        clip narrow = {.even_odd = from->even_odd, .parent = from->parent == NO_CLIP ? outer : where[from->parent]};
-        if (!plb_path_append(&narrow.path, &from->path, m)) {
-            plb_path_free(&narrow.path);
-            return plb_fail_memory(s->err);
-        }
-        if (!add_clip(s, to, &narrow, &where[i]))
+        clip narrow = group->clips.v[i];
+        narrow.parent = narrow.parent == NO_CLIP ? outer : where[narrow.parent];
+        if (!add_clip(s, to, &narrow, m, &where[i]))
             return false;
     }
     return true;
@@ -195,7 +168,22 @@ static bool splice_gradient(script_state *s, script_surface *to, const display_l
     gradient g = *from;
     g.to_space = plb_matrix_multiply(back, from->to_space);
     g.opacity *= alpha;
-    return plb_list_add_gradient(to->list, &g, &it->gradient, s->err);
+    return add_gradient(s, to, &g, &it->gradient);
+}
+
+/* An item of the group, with its path still in the group's units; its dashes are the caller's. */
+static bool splice_item(script_state *s, const item *from, double scale, item *it)
+{
+    *it = *from;
+    it->width *= scale;
+    it->dash_offset *= scale;
+    it->dash.v = NULL;
+    it->dash.n = it->dash.capacity = 0;
+    if (!array_reserve(&it->dash, from->dash.n))
+        return plb_fail_memory(s->err);
+    for (size_t i = 0; i < from->dash.n; i++)
+        it->dash.v[it->dash.n++] = from->dash.v[i] * scale;
+    return true;
 }
 
 static bool splice(script_state *s, const script_context *c, int outer, double alpha)
@@ -204,10 +192,10 @@ static bool splice(script_state *s, const script_context *c, int outer, double a
     script_surface *to = c->target;
     matrix out;
     if (from->is_image) {
-        s->page->omissions.n[OMISSION_IMAGE]++;
+        s->page.omissions.n[OMISSION_IMAGE]++;
         return true;
     }
-    if (from->list == to->list || from->list == s->page)
+    if (from->list == to->list || from->list == &s->page)
         return plb_fail(s->err, ERROR_SYNTAX, "a group is painted on itself");
     if (!plb_matrix_invert(c->source->matrix, &out))
         return true;
@@ -218,17 +206,16 @@ static bool splice(script_state *s, const script_context *c, int outer, double a
         return plb_fail_memory(s->err);
     to->list->omissions.n[OMISSION_FAR] += group->omissions.n[OMISSION_FAR];
     bool ok = splice_clips(s, to, group, out, outer, where);
+    double scale = plb_matrix_expansion(out);
     for (size_t i = 0; ok && i < group->items.n; i++) {
         item it;
-        ok = copy_item(s, &group->items.v[i], out, &it);
+        ok = splice_item(s, &group->items.v[i], scale, &it);
         if (!ok)
             break;
         it.clip = it.clip == NO_CLIP ? outer : where[it.clip];
         it.paint.alpha *= alpha;
-        ok = splice_gradient(s, to, group, out, alpha, &it);
-        if (!ok)
-            plb_item_free(&it);
-        ok = ok && add_item(s, to, &it);
+        ok = splice_gradient(s, to, group, out, alpha, &it) && add_item(s, to, &it, out);
+        array_free(&it.dash);
     }
     plb_free(where);
     return ok;
@@ -238,7 +225,7 @@ static bool splice(script_state *s, const script_context *c, int outer, double a
 
 static bool leaves_ink(script_state *s, const script_context *c)
 {
-    s->page->omissions.n[OMISSION_BLEND] += c->blends;
+    s->page.omissions.n[OMISSION_BLEND] += c->blends;
     return c->draws;
 }
 
@@ -253,13 +240,13 @@ bool plb_script_fill(script_state *s, script_context *c)
         c->clip = outer;
         return true;
     }
-    if (has_no_area(&c->path))
+    if (plb_tap_has_no_area(&c->path))
         return true;
     item it;
     if (!start_item(s, c, ITEM_FILL, &it))
         return false;
     it.even_odd = c->even_odd;
-    return add_item(s, c->target, &it);
+    return add_item(s, c->target, &it, c->target->to_list);
 }
 
 static bool set_dash(script_state *s, const script_context *c, double scale, item *it)
@@ -288,18 +275,16 @@ bool plb_script_stroke(script_state *s, script_context *c)
     double scale = plb_matrix_expansion(c->ctm) * plb_matrix_expansion(c->target->to_list);
     it.cap = c->cap;
     it.width = c->width * scale;
-    if (!set_dash(s, c, scale, &it)) {
-        plb_item_free(&it);
-        return false;
-    }
-    return add_item(s, c->target, &it);
+    bool ok = set_dash(s, c, scale, &it) && add_item(s, c->target, &it, c->target->to_list);
+    array_free(&it.dash);
+    return ok;
 }
 
 /* A box as large as the surface, in its list's units. */
 static bool surface_box(const script_state *s, const script_surface *f, path *out)
 {
-    bool is_page = f->list == s->page;
-    double w = is_page ? s->page->width : f->width, h = is_page ? s->page->height : f->height;
+    bool is_page = f->list == &s->page;
+    double w = is_page ? s->page.width : f->width, h = is_page ? s->page.height : f->height;
     return plb_path_move(out, (point){0, 0}) && plb_path_line(out, (point){w, 0}) && plb_path_line(out, (point){w, h}) &&
            plb_path_line(out, (point){0, h}) && plb_path_close(out);
 }
@@ -312,17 +297,16 @@ bool plb_script_paint(script_state *s, script_context *c, double alpha)
         return splice(s, c, c->clip, alpha);
     item it = {.kind = ITEM_FILL, .paint = source_paint(c->source), .clip = c->clip};
     it.paint.alpha *= alpha;
-    if (!add_gradient(s, c->target, c->source, &it.path, &it.gradient))
+    if (!add_source(s, c->target, c->source, &it.path, &it.gradient))
         return false;
     if (it.gradient && alpha < 1) {
         gradient g = c->target->list->gradients.v[it.gradient - 1];
         g.opacity *= alpha;
-        if (!plb_list_add_gradient(c->target->list, &g, &it.gradient, s->err))
+        if (!add_gradient(s, c->target, &g, &it.gradient))
             return false;
     }
-    if (!surface_box(s, c->target, &it.path)) {
-        plb_item_free(&it);
-        return plb_fail_memory(s->err);
-    }
-    return add_item(s, c->target, &it);
+    bool ok = surface_box(s, c->target, &it.path) || plb_fail_memory(s->err);
+    ok = ok && add_item(s, c->target, &it, MATRIX_IDENTITY);
+    plb_path_free(&it.path);
+    return ok;
 }

@@ -165,5 +165,6 @@ void plb_script_free(script_state *s)
     array_free(&s->bindings);
     array_free(&s->stack);
     array_free(&s->numbers);
+    array_free(&s->text);
     plb_scan_free(&s->scan);
 }

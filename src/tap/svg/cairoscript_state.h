@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "tap/common/scan.h"
 #include "list/display_list.h"
+#include "list/list_write.h"
 
 #include <stdint.h>
 
@@ -24,7 +25,7 @@ typedef struct {
 /* What is drawn on: the page itself, or a group of its own until it is painted somewhere. */
 typedef struct {
     script_object head;
-    display_list *list; /* the page's, or `own` */
+    display_list *list; /* the page's (clips, gradients), or `own` */
     display_list own;
     matrix to_list;     /* from this surface's units to the list's */
     double width, height;
@@ -92,15 +93,19 @@ typedef struct {
     script_object *object; /* counted */
 } script_binding;
 
-typedef struct {
+typedef struct script_state {
     scanner scan;
+    ARRAY(char) text;      /* not run yet */
+    size_t part;           /* so much of it is run at once */
+    unsigned procedures;   /* how deep in { } it is */
     ARRAY(script_value) stack;
     ARRAY(double) numbers; /* of the arrays on the stack; emptied when there is none */
     size_t arrays;
     ARRAY(script_binding) bindings;
-    display_list *page;
-    matrix to_page; /* from the outermost surface's units to mm */
-    double page_width, page_height; /* of the outermost surface */
+    display_list page; /* its clips and gradients, what was left out; its items go to: */
+    list_writer *out;
+    matrix written;    /* the map to mm that `out` has */
+    matrix to_page;    /* from the outermost surface's units to mm */
     bool has_page;  /* the outermost surface was made */
     size_t objects, held; /* alive: objects; points on groups, items counted as some */
     error *err;
@@ -148,6 +153,12 @@ bool plb_script_stroke(script_state *s, script_context *c);
 /* Paints the source all over the clip; `alpha` below 1 for a mask of one opacity. */
 bool plb_script_paint(script_state *s, script_context *c, double alpha);
 bool plb_script_clip(script_state *s, script_context *c);
+
+/* What is on the page goes to the list (cairoscript_page.c). `m` maps the path to mm; widths and dashes are mm already. */
+bool plb_script_write_item(script_state *s, const item *it, matrix m);
+bool plb_script_write_clip(script_state *s, const clip *c, matrix m);
+bool plb_script_is_sane_gradient(const gradient *g);
+void plb_script_write_gradient(script_state *s, const gradient *g);
 
 /* cairoscript_gradient.c: from the surface's units to the gradient's, for the path that it fills (in the surface's units;
  * an empty one: the pattern's matrix as it is). */

@@ -1,30 +1,29 @@
 /* SPDX-License-Identifier: MIT
  *
- * tap-svg: SVG or SVGZ on descriptor 0 becomes CairoScript on descriptor 1. librsvg draws the document on cairo's
- * script surface, which writes down what is drawn. No file is named, so none is opened. (Plain drawings do not come
- * here: see tap_plain.c.)
+ * tap-svg: SVG or SVGZ on descriptor 0 becomes a display list (plumbago-list(5)) on descriptor 1. librsvg draws the
+ * document on cairo's script surface, which writes down what is drawn, and cairoscript.h reads that while it is written. No
+ * file is named, so none is opened. (Plain drawings do not come here: see tap_plain.c.)
  *
  *     tap-svg [--recover] [--no-text]
  *
- * --recover sends the document through libxml2's recovery parser first; --no-text leaves all text out.
- * The first line of the output gives the page and the map from the script's units back to millimetres:
- *
- *     %%Plumbago-tap 1 WIDTH HEIGHT XX YX XY YY X0 Y0 IMAGES MASKS FILTERS FOREIGN
- *
- * The last four count what is left out (tap_omissions.h): images are pixels, masks and filters would turn lines into pixels.
+ * --recover sends the document through libxml2's recovery parser first; --no-text leaves all text out. What else is left
+ * out is counted (tap_omissions.h): images are pixels, masks and filters would turn lines into pixels.
  *
  * The page is turned while it is recorded, for two faults of cairo 1.16's script surface: it refuses filled outlines
  * of horizontal and vertical lines that are not boxes ("input path data not valid"), and aborts on boxes left of
  * -9999. No outline is rectilinear once turned by an odd angle. The turn is a style of the root element and not
  * cairo's own matrix, because librsvg takes the latter away again inside groups with opacity.
  */
+#include "tap/common/tap_omissions.h"
 #include "tap/common/tap_page.h"
+#include "tap/svg/cairoscript.h"
 
 #include <cairo-script.h>
 #include <libxml/parser.h>
 #include <libxml/tree.h>
 #include <librsvg/rsvg.h>
 
+#include <errno.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -50,33 +49,51 @@ static void __attribute__((noreturn, format(printf, 2, 3))) quit(int status, con
     _exit(status);
 }
 
-/* ---- output: one big buffer, since cairo writes each number by itself -------------------------------------- */
+/* ---- output ------------------------------------------------------------------------------------------------ */
 
-static unsigned char out[1 << 16];
-static size_t out_used;
-
-static void flush_out(void)
-{
-    for (size_t done = 0; done < out_used;) {
-        ssize_t n = write(STDOUT_FILENO, out + done, out_used - done);
-        if (n < 0)
-            _exit(EXIT_WRITE); /* the reader went away: nobody is left to tell */
-        done += (size_t)n;
-    }
-    out_used = 0;
-}
-
-static cairo_status_t put(void *closure, const unsigned char *data, unsigned n)
+/* Of the list. */
+static bool put(void *closure, const char *data, size_t n)
 {
     (void)closure;
-    while (n) {
-        size_t part = sizeof out - out_used < n ? sizeof out - out_used : n;
-        memcpy(out + out_used, data, part);
-        out_used += part;
-        data += part;
-        n -= (unsigned)part;
-        if (out_used == sizeof out)
-            flush_out();
+    for (size_t done = 0; done < n;) {
+        ssize_t part = write(STDOUT_FILENO, data + done, n - done);
+        if (part < 0 && errno != EINTR)
+            _exit(EXIT_WRITE); /* the reader went away: nobody is left to tell */
+        done += part < 0 ? 0 : (size_t)part;
+    }
+    return true;
+}
+
+static void __attribute__((noreturn)) quit_for(const error *err)
+{
+    bool limit = err->kind == ERROR_LIMIT || err->kind == ERROR_MEMORY;
+    quit(limit ? EXIT_LIMIT : EXIT_REFUSED, "%s%s", limit ? "" : "cannot read what cairo wrote: ", err->text);
+}
+
+/* What cairo writes, number by number, goes to the reader of it in larger pieces. */
+typedef struct {
+    cairoscript *script;
+    size_t n;
+    char bytes[1 << 16];
+} script_pipe;
+
+static void empty(script_pipe *p)
+{
+    error err = {0};
+    if (!plb_cairoscript_feed(p->script, p->bytes, p->n, &err))
+        quit_for(&err);
+    p->n = 0;
+}
+
+static cairo_status_t feed(void *closure, const unsigned char *data, unsigned n)
+{
+    script_pipe *p = closure;
+    for (size_t part; n; n -= (unsigned)part, data += part) {
+        if (p->n == sizeof p->bytes)
+            empty(p);
+        part = sizeof p->bytes - p->n < n ? sizeof p->bytes - p->n : n;
+        memcpy(p->bytes + p->n, data, part);
+        p->n += part;
     }
     return CAIRO_STATUS_SUCCESS;
 }
@@ -95,15 +112,15 @@ static GByteArray *read_stream(GInputStream *from)
 {
     GByteArray *all = g_byte_array_new();
     unsigned char part[1 << 16];
-    GError *error = NULL;
+    GError *fault = NULL;
     gssize n;
-    while ((n = g_input_stream_read(from, part, sizeof part, NULL, &error)) > 0) {
+    while ((n = g_input_stream_read(from, part, sizeof part, NULL, &fault)) > 0) {
         if (all->len + (size_t)n > TAP_MAX_BYTES)
             quit(EXIT_LIMIT, "the document is larger than %zu MB", TAP_MAX_BYTES >> 20);
         g_byte_array_append(all, part, (guint)n);
     }
     if (n < 0 && !all->len)
-        quit(EXIT_MALFORMED, "cannot unpack: %s", error->message);
+        quit(EXIT_MALFORMED, "cannot unpack: %s", fault->message);
     return all; /* what came before the fault of a damaged file may still draw */
 }
 
@@ -211,10 +228,10 @@ static RsvgHandle *load(const GByteArray *text)
 {
     GInputStream *stream = g_memory_input_stream_new_from_data(text->data, (gssize)text->len, NULL);
     RsvgHandleFlags flags = text->len > TAP_LIBXML_TEXT ? RSVG_HANDLE_FLAG_UNLIMITED : RSVG_HANDLE_FLAGS_NONE;
-    GError *error = NULL;
-    RsvgHandle *svg = rsvg_handle_new_from_stream_sync(stream, NULL, flags, NULL, &error);
+    GError *fault = NULL;
+    RsvgHandle *svg = rsvg_handle_new_from_stream_sync(stream, NULL, flags, NULL, &fault);
     if (!svg)
-        quit(EXIT_MALFORMED, "%s", error->message);
+        quit(EXIT_MALFORMED, "%s", fault->message);
     rsvg_handle_set_dpi(svg, 96);
     return svg;
 }
@@ -255,10 +272,10 @@ static tap_extent extent_of(RsvgLength length)
 static bool size_by_attributes(RsvgHandle *svg, tap_page *p)
 {
     RsvgLength w, h;
-    RsvgRectangle box;
+    RsvgRectangle view;
     gboolean has_w, has_h, has_box; /* librsvg always has width and height: 100 % where nothing is said */
-    rsvg_handle_get_intrinsic_dimensions(svg, &has_w, &w, &has_h, &h, &has_box, &box);
-    double size[2] = {box.width, box.height};
+    rsvg_handle_get_intrinsic_dimensions(svg, &has_w, &w, &has_h, &h, &has_box, &view);
+    double size[2] = {view.width, view.height};
     return plb_tap_page_size(p, extent_of(w), extent_of(h), has_box ? size : NULL);
 }
 
@@ -289,13 +306,6 @@ static tap_page find_page(RsvgHandle *svg)
 
 /* ---- drawing ---------------------------------------------------------------------------------------------- */
 
-static void write_head(const tap_page *p, const GByteArray *text)
-{
-    char line[TAP_HEAD_MAX];
-    size_t n = plb_tap_head(p, plb_tap_count_omissions((const char *)text->data, text->len), line);
-    put(NULL, (const unsigned char *)line, (unsigned)n);
-}
-
 /* The turn (unless cairo does it), and what would only make pixels switched off: the drawing behind masks and filters
  * stays. Pattern tiles are drawn upright, out of the turn's reach, where strokes do no harm; nobody reads them, but an
  * empty tile would take the fill with it. */
@@ -307,13 +317,13 @@ static void set_style(RsvgHandle *svg, const tap_page *p, const tap_placing *l, 
                  l->turn.x0, TAP_TURN_DEGREES, magnify, -p->x, -p->y);
     snprintf(style, sizeof style, "%s*{filter:none!important;mask:none!important}image{display:none!important}"
              "pattern *{fill:none!important;stroke:#000!important;clip-path:none!important}%s", turn, no_text ? "text,tspan{display:none!important}" : "");
-    GError *error = NULL;
-    if (!rsvg_handle_set_stylesheet(svg, (const guint8 *)style, strlen(style), &error))
-        quit(EXIT_REFUSED, "%s", error->message);
+    GError *fault = NULL;
+    if (!rsvg_handle_set_stylesheet(svg, (const guint8 *)style, strlen(style), &fault))
+        quit(EXIT_REFUSED, "%s", fault->message);
 }
 
 /* Draws into `sink`. False: cairo or librsvg refused; `why` says so. */
-static bool draw(RsvgHandle *svg, const tap_page *p, bool by_style, bool no_text, cairo_write_func_t sink, char why[200])
+static bool draw(RsvgHandle *svg, const tap_page *p, bool by_style, bool no_text, cairo_write_func_t sink, void *closure, char why[200])
 {
     tap_placing l = plb_tap_place(p);
     /* The viewport holds the turned page: librsvg makes the surfaces of groups as large as it. */
@@ -322,7 +332,7 @@ static bool draw(RsvgHandle *svg, const tap_page *p, bool by_style, bool no_text
     if (p->by_extents) /* nothing scales the drawing to a viewport: it has no viewBox */
         viewport = (RsvgRectangle){0, 0, PX_EMPTY, PX_EMPTY};
     set_style(svg, p, &l, p->by_extents ? l.scale : 1 / fit, by_style, no_text);
-    cairo_device_t *script = cairo_script_create_for_stream(sink, NULL);
+    cairo_device_t *script = cairo_script_create_for_stream(sink, closure);
     cairo_surface_t *surface = cairo_script_surface_create(script, CAIRO_CONTENT_COLOR_ALPHA, l.width, l.height);
     cairo_t *cr = cairo_create(surface);
     if (!by_style) {
@@ -332,11 +342,11 @@ static bool draw(RsvgHandle *svg, const tap_page *p, bool by_style, bool no_text
         cairo_scale(cr, k, k);
         cairo_translate(cr, -p->x, -p->y);
     }
-    GError *error = NULL;
-    bool done = rsvg_handle_render_document(svg, cr, &viewport, &error);
+    GError *fault = NULL;
+    bool done = rsvg_handle_render_document(svg, cr, &viewport, &fault);
     cairo_status_t status = cairo_status(cr);
-    snprintf(why, 200, "librsvg stopped: %s", error ? error->message : cairo_status_to_string(status));
-    g_clear_error(&error);
+    snprintf(why, 200, "librsvg stopped: %s", fault ? fault->message : cairo_status_to_string(status));
+    g_clear_error(&fault);
     cairo_destroy(cr);
     cairo_surface_destroy(surface);
     cairo_device_finish(script);
@@ -361,7 +371,34 @@ static bool turn_by_style(RsvgHandle *svg, const GByteArray *text, const tap_pag
     char why[200];
     if (root_is_transformed(text))
         return false;
-    return !has_box_units(text) || !draw(svg, p, false, no_text, discard, why);
+    return !has_box_units(text) || !draw(svg, p, false, no_text, discard, NULL, why);
+}
+
+/* Draws the document and writes all of the list. */
+static void write_list(RsvgHandle *svg, const GByteArray *text, const tap_page *p, bool no_text)
+{
+    static list_writer out;
+    static script_pipe from_cairo;
+    char why[200];
+    error err = {0};
+    bool by_style = turn_by_style(svg, text, p, no_text);
+    plb_list_writer_init(&out, put, NULL);
+    tap_sheet sheet = plb_tap_sheet(p);
+    plb_list_writer_page(&out, sheet.width, sheet.height);
+    plb_list_writer_matrix(&out, sheet.to_page);
+    from_cairo.script = plb_cairoscript_new(&out, sheet.width, sheet.height, sheet.to_page);
+    if (!from_cairo.script)
+        quit(EXIT_LIMIT, "out of memory");
+    if (!draw(svg, p, by_style, no_text, feed, &from_cairo, why))
+        quit(EXIT_REFUSED, "%s", why);
+    empty(&from_cairo);
+    omissions lost = plb_tap_count_omissions((const char *)text->data, text->len);
+    if (!plb_cairoscript_end(from_cairo.script, &lost, &err))
+        quit_for(&err);
+    for (int k = 0; k < OMISSION_KINDS; k++)
+        if (lost.n[k])
+            plb_list_writer_omission(&out, (omission_kind)k, lost.n[k], NULL);
+    plb_list_writer_end(&out);
 }
 
 int main(int argc, char **argv)
@@ -373,19 +410,13 @@ int main(int argc, char **argv)
         else if (!strcmp(argv[i], "--no-text"))
             no_text = true;
         else
-            quit(EXIT_USAGE, "usage: tap-svg [--recover] [--no-text] <drawing.svg >script");
+            quit(EXIT_USAGE, "usage: tap-svg [--recover] [--no-text] <drawing.svg >list");
     }
     GByteArray *text = read_document();
     if (mend)
         text = recover(text);
     RsvgHandle *svg = load(text);
     tap_page p = find_page(svg);
-    bool by_style = turn_by_style(svg, text, &p, no_text);
-    char why[200];
-    write_head(&p, text);
-    bool done = draw(svg, &p, by_style, no_text, put, why);
-    flush_out();
-    if (!done)
-        quit(EXIT_REFUSED, "%s", why);
+    write_list(svg, text, &p, no_text);
     _exit(EXIT_DONE); /* no time for tidying up */
 }
