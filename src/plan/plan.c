@@ -27,7 +27,7 @@
 plan_options plb_plan_options_default(void)
 {
     static const tone_scale of_hb = {{.07, .12, .2, .35, .45, .51}};
-    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .threads = 1, .seed = 1};
+    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .max_length = 1e7, .threads = 1, .seed = 1};
 }
 
 /* ---- one item ---- */
@@ -37,20 +37,25 @@ typedef struct {
     track_list marks;   /* of the item at work … */
     track_list a, b;    /* … and what the stages make of some of them, in turns */
     stroke_list *out;
+    double length;      /* of its strokes, mm */
     error *err;
 } planner;
 
-static bool add_strokes(const track_list *tracks, stroke_list *out, error *err)
+static bool add_strokes(planner *p, const track_list *tracks)
 {
+    stroke_list *out = p->out;
     for (size_t i = 0; i < tracks->tracks.n; i++) {
         track t = plb_track_at(tracks, i);
         if (t.n < 2 || (t.style.kind != STROKE_LINE && plb_track_length(&t) < SHORTEST_STROKE_MM))
             continue;
         if (out->strokes.n >= PLAN_MAX_STROKES || t.n > PLAN_MAX_POINTS - out->points.n)
-            return plb_fail(err, ERROR_LIMIT, "the drawing has more than %u strokes or %u points", PLAN_MAX_STROKES, PLAN_MAX_POINTS);
+            return plb_fail(p->err, ERROR_LIMIT, "the drawing has more than %u strokes or %u points", PLAN_MAX_STROKES, PLAN_MAX_POINTS);
+        p->length += plb_track_length(&t);
+        if (p->length > p->context.options->max_length)
+            return plb_fail(p->err, ERROR_LIMIT, "the drawing needs more than %g m of pencil line; --limit-length allows more", p->context.options->max_length / 1000);
         stroke s = {.style = t.style, .first = out->points.n, .n = t.n, .closed = t.closed, .corner_first = t.corner_first, .corner_last = t.corner_last};
         if (!array_reserve(&out->points, t.n) || !array_push(&out->strokes, s))
-            return plb_fail_memory(err);
+            return plb_fail_memory(p->err);
         for (size_t k = 0; k < t.n; k++)
             out->points.v[out->points.n++] = t.v[k].at;
     }
@@ -78,7 +83,7 @@ static bool finish_marks(planner *p, size_t i, const track_list *marks)
     return ok && plb_plan_hide(c->occluders, i, a, plb_tracks_clear(b), p->err) &&
            plb_plan_drop_scraps(b, o, plb_tracks_clear(a), p->err) &&
            plb_plan_simplify(a, o->pencil_width, plb_tracks_clear(b), p->err) &&
-           plb_plan_corners(b, plb_tracks_clear(a), p->err) && add_strokes(a, p->out, p->err);
+           plb_plan_corners(b, plb_tracks_clear(a), p->err) && add_strokes(p, a);
 }
 
 static bool draw_items(planner *p)
@@ -150,7 +155,7 @@ bool plb_plan(const display_list *list, const plan_options *o, const log_sink *s
     planner p = {.out = out, .err = err};
     bool ok = context_init(&p.context, list, o, err) && draw_items(&p) && arrange(out, o, err);
     if (ok)
-        plb_log(say, MESSAGE_DETAIL, "%zu items make %zu strokes", list->items.n, out->strokes.n);
+        plb_log(say, MESSAGE_DETAIL, "%zu items make %zu strokes, %.3g m", list->items.n, out->strokes.n, p.length / 1000);
     else
         plb_stroke_list_free(out);
     if (ok && plb_occluders_are_exhausted(p.context.occluders))

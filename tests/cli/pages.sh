@@ -73,6 +73,15 @@ refuses "page 2 of an SVG" 'no page 2, only 1' --page 2 d.svg
 for bad in 0 x 2-1 1, 1,,2 -3 1-x all2 99999999 1.5; do misused "--page=$bad" '--page' "--page=$bad" d.svg; done
 draws "limits" --limit-time 5 --limit-memory 512 d.svg
 for bad in 0 -1 x 1e7; do misused "--limit-time=$bad" 'limit-time' --limit-time=$bad d.svg; done
+for bad in 0 -1 x 1e10; do misused "--limit-length=$bad" 'limit-length' --limit-length=$bad d.svg; done
+refuses "60 km of line" 'needs more than 10000 m of pencil line; --limit-length allows more' "$ROOT/tests/bad/line-of-60-km.svg"
+refuses "a line of less than is allowed" 'needs more than 1 m of pencil line' --limit-length 1 "$ROOT/examples/plan.svg"
+# It is refused before it is drawn.
+case $BUILD_DIR in *release*)
+    "$BUILD_DIR/tests/tools/measure" "$PLUMBAGO" -o x.png "$ROOT/tests/bad/line-of-60-km.svg" >cost 2>"$TMP/err"
+    is "60 km of line: refused in less than 2 seconds" "$(awk '{ print ($2 < 2) }' cost)" 1
+    ;;
+esac
 for bad in 0 63 x 1e7; do misused "--limit-memory=$bad" 'limit-memory' --limit-memory=$bad d.svg; done
 mkdir none && { PATH=$PWD/none plumbago one.pdf; } 2>/dev/null
 [ -e one.pdf ] && { is "PDF without pdftocairo" $status 1; grep -q 'poppler-utils' "$TMP/err" && ok "and it says what to install" || fail "and it says what to install" "$(cat "$TMP/err")"; }

@@ -40,6 +40,7 @@ plan_options plb_api_plan_options(const plb_options *o)
     plan.text = (text_style)o->text;
     plan.fill = (fill_style)o->fill;
     plan.pencil_width = plb_profile_width(o->profile);
+    plan.max_length = 1000 * o->limit_length;
     plan.overshoot = o->overshoot;
     plan.restate = o->restate;
     plan.construction = o->construction;

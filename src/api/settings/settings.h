@@ -34,7 +34,7 @@ struct plb_options {
     int threads;          /* 0: as many as there are processors */
     int compress;
     int page;             /* from 1; 0: the first */
-    double limit_time, limit_memory; /* s, MiB */
+    double limit_time, limit_memory, limit_length; /* s, MiB, m */
     char *helper_dir;     /* owned; NULL: beside the program, then the installed place */
     plb_message_function message;
     void *message_closure;

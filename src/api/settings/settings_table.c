@@ -23,6 +23,8 @@ static const setting table[] = {
      FIELD(limit_time)},
     {{"limit-memory", 0, "Input", PLB_SETTING_NUMBER, "MIB", 64, 1e6, "MiB", "1024", "memory of each program that reads for us", LOAD | FREE},
      FIELD(limit_memory)},
+    {{"limit-length", 0, "Input", PLB_SETTING_NUMBER, "METRES", 1, 1e9, "m", "10000", "all pencil lines of one drawing together", LOAD | FREE},
+     FIELD(limit_length)},
     {{"helper-dir", 0, "Input", PLB_SETTING_TEXT, "FOLDER", 0, 0, "", "", "where these programs lie [beside this one, or installed]", LOAD | FREE},
      FIELD(helper_dir)},
 
