@@ -89,9 +89,11 @@ static const condition of_threads[] = {
 
 static bool allow(scmp_filter_ctx list, const condition *c, size_t n)
 {
-    for (size_t i = 0; i < n; i++)
-        if (seccomp_rule_add(list, SCMP_ACT_ALLOW, c[i].call, 1, SCMP_CMP64(c[i].argument, SCMP_CMP_MASKED_EQ, c[i].mask, c[i].value)) != 0)
+    for (size_t i = 0; i < n; i++) {
+        const struct scmp_arg_cmp is = {.arg = c[i].argument, .op = SCMP_CMP_MASKED_EQ, .datum_a = c[i].mask, .datum_b = c[i].value};
+        if (seccomp_rule_add_array(list, SCMP_ACT_ALLOW, c[i].call, 1, &is) != 0)
             return false;
+    }
     return true;
 }
 #define ALLOW(list, conditions) allow(list, conditions, sizeof(conditions) / sizeof *(conditions))
@@ -101,10 +103,12 @@ static bool allow_all(scmp_filter_ctx list, seccomp_rights rights, const uint64_
     for (size_t i = 0; i < sizeof allowed / sizeof *allowed; i++)
         if (seccomp_rule_add(list, SCMP_ACT_ALLOW, allowed[i], 0) != 0)
             return false;
+    const struct scmp_arg_cmp opened[SECCOMP_KEY_PARTS] = {{.arg = 3, .op = SCMP_CMP_EQ, .datum_a = key[0]},
+                                                           {.arg = 4, .op = SCMP_CMP_EQ, .datum_a = key[1]},
+                                                           {.arg = 5, .op = SCMP_CMP_EQ, .datum_a = key[2]}};
     return ALLOW(list, conditions) && (rights.writes ? ALLOW(list, of_writers) : ALLOW(list, of_readers)) &&
            (!rights.threads || ALLOW(list, of_threads)) &&
-           seccomp_rule_add(list, SCMP_ACT_ALLOW, SCMP_SYS(execve), SECCOMP_KEY_PARTS, SCMP_A3_64(SCMP_CMP_EQ, key[0]),
-                            SCMP_A4_64(SCMP_CMP_EQ, key[1]), SCMP_A5_64(SCMP_CMP_EQ, key[2])) == 0;
+           seccomp_rule_add_array(list, SCMP_ACT_ALLOW, SCMP_SYS(execve), SECCOMP_KEY_PARTS, opened) == 0;
 }
 
 /* The kernel's form of the list. libseccomp 2.5 gives it to a descriptor only. */
