@@ -63,7 +63,9 @@ bool plb_converter_run(const input_source *in, const char *who, const char *prog
                     converter_bytes *out, error *err)
 {
     error why = {0};
-    if (!plb_converter_start(in, who, program, argv, p, &why))
+    input_source alone = *in;
+    alone.limits.single = true;
+    if (!plb_converter_start(&alone, who, program, argv, p, &why))
         return plb_fail(err, why.kind, "%s: %s", in->name, why.text);
     const char *data;
     size_t n;

@@ -14,7 +14,7 @@ typedef ARRAY(char) converter_bytes;
 /* Runs argv[0..] of the program at `path` on in->data and collects what it writes, at most INPUT_MAX_BYTES. True when
  * it could be started and its output collected; how it ended stands in p->end, p->code, p->message (the process is
  * finished, not to be finished again). False and `err` ("NAME: what") when it could not, or ran out of time or memory,
- * or died; `who` names it there. The caller frees the bytes in every case. */
+ * or died; `who` names it there. The program may start no threads. The caller frees the bytes in every case. */
 bool plb_converter_run(const input_source *in, const char *who, const char *program, const char *const argv[], process *p,
                     converter_bytes *out, error *err);
 

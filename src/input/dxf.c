@@ -56,9 +56,7 @@ static bool run_tap(const input_source *in, converter_bytes *svg, error *err)
     error late = {ERROR_NONE, ""};
     if (!plb_process_find(in->helper_dir, name, program, &late))
         return plb_fail(err, late.kind, "%s: %s", in->name, late.text);
-    input_source alone = *in;
-    alone.limits.single = true;
-    if (!plb_converter_run(&alone, "ezdxf", program, argv, &p, svg, err))
+    if (!plb_converter_run(in, "ezdxf", program, argv, &p, svg, err))
         return false;
     if (p.code != TAP_DONE)
         return explain_end(in, &p, err);

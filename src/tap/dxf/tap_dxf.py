@@ -48,7 +48,7 @@ def prepare_import():
     """Says where packages of the system are, and takes the place of the modules that are not to be loaded."""
     for variable in [name for name in os.environ if name.startswith(("XDG_", "EZDXF_"))]:
         del os.environ[variable]
-    os.environ["HOME"] = "/nonexistent"
+    os.environ.update(HOME="/nonexistent", OPENBLAS_NUM_THREADS="1")  # newer versions of ezdxf load numpy, which starts threads
     version = f"python{sys.version_info[0]}.{sys.version_info[1]}"
     sys.path += [f"{lib}/{python}/{kind}-packages" for lib in ("/usr/local/lib", "/usr/lib", "/usr/lib64")
                  for python in (version, "python3") for kind in ("dist", "site")]
