@@ -29,7 +29,7 @@ Q = $(if $(filter 1,$(V)),,@)
 say = @$(if $(filter 1,$(V)),:,printf '  %-7s %s\n')
 
 packages_lib = cairo libpng zlib libseccomp
-packages_tap = librsvg-2.0 cairo cairo-script libxml-2.0
+packages_tap = librsvg-2.0 cairo cairo-script libxml-2.0 fontconfig
 packages_plain = libxml-2.0
 
 WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
@@ -222,7 +222,7 @@ demo-pictures: all
 	@echo "$(demo_drawing), drawn with eight pencils, lies in build/demo."
 
 # ---- packages (Debian) ------------------------------------------------------------------------------------
-packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libseccomp-dev libxml2-dev fonts-dejavu-core poppler-utils ghostscript python3-ezdxf
+packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libseccomp-dev libxml2-dev libfontconfig-dev fonts-dejavu-core poppler-utils ghostscript python3-ezdxf
 packages_tests = librsvg2-bin clang g++ mandoc strace locales unzip
 packages_tests += libclang-rt-14-dev util-linux # for the fuzzers, and for writes that fail
 

@@ -114,6 +114,12 @@ case $BUILD_DIR in
         refuses "little memory for ezdxf" 'too much memory|ezdxf needs more than' --limit-memory 64 -o y.png many.dxf
     ;;
 esac
+# Without any font text would be boxes.
+printf '<?xml version="1.0"?><fontconfig></fontconfig>\n' >fonts.conf
+printf '<svg xmlns="http://www.w3.org/2000/svg" width="99" height="99"><path d="M9 9L90 90" stroke="#000"/><text x="9" y="50">odd</text></svg>\n' >letters.svg
+FONTCONFIG_FILE=$PWD/fonts.conf "$PLUMBAGO" --dump=list letters.svg >"$TMP/out" 2>"$TMP/err"
+is "no font is told" "$? $(cat "$TMP/err") $(grep -cE '^(fill|stroke)' "$TMP/out")" \
+    "0 plumbago: warning: letters.svg: there is no font here: its text is left out (Debian: fonts-dejavu-core) 1"
 # A stack that no program can work with is told; one that may grow is enlarged.
 (ulimit -s 64 && exec "$PLUMBAGO" -d 20 -o y.png a.svg) >"$TMP/out" 2>"$TMP/err"
 is "a stack of 64 KB" "$? $(cat "$TMP/err")" "1 plumbago: the stack may have 64 KB only (ulimit -s): 256 are needed"

@@ -8,7 +8,7 @@ mapfile -t ours < <(printf '%s\n' ${LINT_FILES:-$(find src -name "*.c") examples
 mapfile -t of_tests < <(printf '%s\n' ${LINT_FILES:-tests/*/*.c})
 [ -z "${LINT_FILES:-}" ] || of_tests=()
 flags=(-std=c17 -D_POSIX_C_SOURCE=200809L '-DPLB_LIBEXECDIR="/"' -Isrc -Isrc/api -Itests -Itests/fuzz)
-read -ra libraries < <(pkg-config --cflags librsvg-2.0 cairo cairo-script libxml-2.0 libpng zlib)
+read -ra libraries < <(pkg-config --cflags librsvg-2.0 cairo cairo-script libxml-2.0 fontconfig libpng zlib)
 # Tests may do what the library may not: a check that fails goes on, so the analyzer follows paths on which nothing holds any
 # more; bytes of doubles are compared because the same bits are meant; tools end with what they hold; the fuzzer of the
 # options includes the tool whole; numbers of a developer's command line and rand() are good enough.

@@ -19,6 +19,7 @@
 #include "tap/svg/cairoscript.h"
 
 #include <cairo-script.h>
+#include <fontconfig/fontconfig.h>
 #include <libxml/parser.h>
 #include <libxml/tree.h>
 #include <librsvg/rsvg.h>
@@ -374,6 +375,16 @@ static bool turn_by_style(RsvgHandle *svg, const GByteArray *text, const tap_pag
     return !has_box_units(text) || !draw(svg, p, false, no_text, discard, NULL, why);
 }
 
+/* Whether there is text that no font is at hand for: it would come out as boxes. */
+static bool lacks_fonts(const GByteArray *text)
+{
+    static const char *const words[] = {"<text", ":text", NULL};
+    if (!count(text, words))
+        return false;
+    const FcFontSet *fonts = FcConfigGetFonts(NULL, FcSetSystem);
+    return !fonts || fonts->nfont == 0;
+}
+
 /* Draws the document and writes all of the list. */
 static void write_list(RsvgHandle *svg, const GByteArray *text, const tap_page *p, bool no_text)
 {
@@ -381,10 +392,14 @@ static void write_list(RsvgHandle *svg, const GByteArray *text, const tap_page *
     static script_pipe from_cairo;
     char why[200];
     error err = {0};
-    bool by_style = turn_by_style(svg, text, p, no_text);
     plb_list_writer_init(&out, put, NULL);
     tap_sheet sheet = plb_tap_sheet(p);
     plb_list_writer_page(&out, sheet.width, sheet.height);
+    if (!no_text && lacks_fonts(text)) {
+        plb_list_writer_message(&out, MESSAGE_WARNING, "there is no font here: its text is left out (Debian: fonts-dejavu-core)");
+        no_text = true;
+    }
+    bool by_style = turn_by_style(svg, text, p, no_text);
     plb_list_writer_matrix(&out, sheet.to_page);
     from_cairo.script = plb_cairoscript_new(&out, sheet.width, sheet.height, sheet.to_page);
     if (!from_cairo.script)
