@@ -46,7 +46,7 @@ static bool add_wide_line(const plan_context *p, const item *it, track_list *out
     return ok;
 }
 
-/* Where shapes of one paint lie upon each other their outlines would show what is not to be seen. */
+/* Leaves an outline out where shapes of one paint lie upon each other: there it would show an edge that nobody sees. */
 static bool add_outline(const plan_context *p, size_t i, track_list *out, error *err)
 {
     const item *it = &p->list->items.v[i];

@@ -8,7 +8,7 @@
 #include "plan/hatch/hatch.h"
 #include "plan/hidden/occlusion.h"
 
-/* What the marks of all items of a drawing go by. */
+/* The marks of all items of a drawing go by these. */
 typedef struct {
     const display_list *list;
     const plan_options *options;

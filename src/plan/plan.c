@@ -67,7 +67,7 @@ static bool is_thin_line(const item *it, const plan_options *o)
     return it->kind == ITEM_STROKE && !plb_is_wide(it, o);
 }
 
-/* From marks of item number `i` to strokes. */
+/* Takes marks of item number `i` through the stages to strokes. */
 static bool finish_marks(planner *p, size_t i, const track_list *marks)
 {
     const plan_context *c = &p->context;

@@ -50,7 +50,7 @@ bool plb_track_push(track_list *l, point at, bool corner);
 void plb_track_drop(track_list *l);
 /* Appends a track with its points. */
 bool plb_track_copy(track_list *l, const track *t);
-/* The track begun last, and its points. */
+/* Gives the track begun last, and its points. */
 static inline track *track_last(track_list *l) { return &l->tracks.v[l->tracks.n - 1]; }
 static inline track_point *track_last_points(track_list *l) { return l->points.v + track_last(l)->first; }
 

@@ -2,7 +2,7 @@
  *
  * The free hand, as measured on 104 freehand lines of six hands, 16 to 250 mm long (scans of hdBPMN, CC BY 4.0): how far it deviates
  * from the chord of a line, in sine modes over the length. Each has the same share of the length for short and long lines.
- * What a pencil's own lines do is measured against it.
+ * A pencil's own lines are measured against the free hand.
  */
 #ifndef PLB_PROFILE_HAND_H
 #define PLB_PROFILE_HAND_H
@@ -13,7 +13,7 @@ extern const double plb_hand_median_percent[HAND_MODES];
 /* Shorter waves than this the hand does not make, mm: what looks rough there is grain. */
 #define HAND_SMOOTH_BELOW_MM 4.0
 
-/* The amplitudes of the modes of a line, times the free hand's medians, into `ratios`; returns their count: modes of shorter waves
+/* Gives the amplitudes of the modes of a line, times the free hand's medians, into `ratios`; returns their count: modes of shorter waves
  * are left out. `line`: the distance of the centreline across, px, in each of n columns; `mm`: a pixel in mm. */
 int plb_hand_compare(const double line[], int n, double mm, double ratios[HAND_MODES]);
 

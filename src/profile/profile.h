@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a pencil is: the statistics of its line, measured once from scans (001 section 3.2, thesis section 4.1).
+ * A profile says what a pencil is: the statistics of the pencil's line, measured once from scans (001 section 3.2, thesis section 4.1).
  * A profile is immutable once made; one may serve many threads. The file format is in pencil(5). (plb_profile_load and
  * its like are the public interface's names for what is here.)
  */
@@ -98,7 +98,7 @@ unsigned char *plb_profile_serialise(const profile *p, size_t *size, error *err)
 /* Written beside `file` and renamed onto it when complete: a failure leaves nothing behind. */
 bool plb_profile_write(const profile *p, const char *file, error *err);
 void plb_profile_release(profile *p);
-/* The eight grades from hard to soft: "2H" "H" "F" "HB" "B" "3B" "6B" "8B"; NULL past the end. */
+/* Gives the eight grades from hard to soft: "2H" "H" "F" "HB" "B" "3B" "6B" "8B"; NULL past the end. */
 const char *plb_profile_grade(size_t index);
 
 /* Median grey along the centre of the line, bare paper included. */

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-/* The quantile function of the centre histogram restricted to [min_mid, max_mid]: entry k is the grey below which
+/* Computes the quantile function of the centre histogram restricted to [min_mid, max_mid]: entry k is the grey below which
  * the share (k + 1/2) / CENTRE_STEPS of the centre's pixels lies. */
 static void tabulate_centre(pencil *p)
 {

@@ -10,7 +10,7 @@
 
 #define CENTRE_STEPS 4096
 
-/* Of the graphite model: all that a stroke needs as tables of whole numbers. */
+/* The graphite model's tables of whole numbers: all that a stroke needs. */
 #define FIELD_UNIT PAPER_UNIT /* steps of a score's standard deviation in the field: 4 sigma fit a byte */
 #define NOISE_UNIT 2048       /* … and before the field is rounded to bytes */
 #define NOISE_LENGTH 2048     /* of the sequence of white noise: every other normal number */

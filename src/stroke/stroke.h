@@ -16,7 +16,7 @@
 
 /* path/trajectory.c: the drawn path of stroke `s`, sampled closely enough to be joined by straight lines. `out` is replaced. */
 bool plb_path_sample(const stroke_list *list, const stroke *s, const stroke_options *o, path_samples *out, error *err);
-/* The control points as places on the page, for --dump=controls; their count. */
+/* Gives the control points as places on the page, for --dump=controls; their count. */
 size_t plb_path_control_points(const stroke_list *list, const stroke *s, const stroke_options *o, point out[CONTROLS_MAX]);
 
 /* Buffers that a thread keeps from stroke to stroke. */
@@ -27,7 +27,7 @@ typedef struct {
 } stroke_scratch;
 void plb_stroke_scratch_free(stroke_scratch *s);
 
-/* The whole stroke. False and `err` when out of memory, over a limit, or when the sink stops it. */
+/* Draws the whole stroke. False and `err` when out of memory, over a limit, or when the sink stops it. */
 bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, patch_sink sink,
                      void *closure, error *err);
 

@@ -71,7 +71,7 @@ static void narrow(double at, double by, double most, double *low, double *high)
     *high = fmin(*high, fmax(t0, t1));
 }
 
-/* The guide along a stretch, beyond both its ends but not beyond the page. */
+/* Draws the guide along a stretch, beyond both its ends but not beyond the page. */
 static bool draw(stroke_list *list, const plan_options *o, const stretch *s, double beyond)
 {
     uint64_t hash = random_fold(1, llround(s->off * 1000), llround(s->angle * 1e6));

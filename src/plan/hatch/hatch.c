@@ -17,7 +17,7 @@
 
 /* A direction strays by this from shape to shape, radians. */
 #define DIRECTION_STRAY 0.04
-/* The second layer is turned by this against the first, radians: less than a right angle, as the wrist has it. */
+/* The second layer is turned by this against the first, radians: less than a right angle, since the wrist turns no farther with ease. */
 #define CROSS_ANGLE 1.1
 /* A fill that covers this part of the page and is no darker than PAPER_DARKNESS is its paper. */
 #define PAPER_COVER 0.97
@@ -77,7 +77,7 @@ static bool is_paper(const hatcher *h, const shape *s, double darkness)
     return darkness < PAPER_DARKNESS && full && overlap(s->bounds, p) > PAPER_COVER * page;
 }
 
-/* The darkest that the gradient is inside the bounds, and its mean there. */
+/* Gives the darkest that the gradient is inside the bounds, and its mean there. */
 static double darkest_of(const tone_source *t, const shape *s, double *mean)
 {
     double most = 0, sum = 0;

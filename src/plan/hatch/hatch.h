@@ -15,7 +15,7 @@ typedef struct {
     double weight, cosine, sine;
 } hatch_family;
 
-/* What all fills of a drawing share: the page, directions, and the bound on the number of lines. */
+/* All fills of a drawing share the page, directions, and the bound on the number of lines. */
 typedef struct {
     const display_list *list; /* borrowed, as … */
     const plan_options *options;  /* … is this */
@@ -25,10 +25,10 @@ typedef struct {
 } hatcher;
 hatcher plb_hatcher(const display_list *list, const plan_options *o);
 
-/* Whether its tone may count: it is neither too small for a tone nor too light for a mark. */
+/* Tells whether its tone may count: it is neither too small for a tone nor too light for a mark. */
 bool plb_may_be_hatched(const item *fill, const plan_options *o);
 
-/* Whether it is a blot rather than a stroke of a letter, in *blot: a dot, a pad, an arrowhead, a thick bar. False and `err`
+/* Tells whether it is a blot rather than a stroke of a letter, in *blot: a dot, a pad, an arrowhead, a thick bar. False and `err`
  * when out of memory. */
 bool plb_is_blot(const item *fill, const plan_options *o, bool *blot, error *err);
 
@@ -43,9 +43,9 @@ bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *o
 #define LONG_ELONGATION 2.2
 /* A right hand's strokes rise to the right: their direction, radians (chosen by eye). */
 #define HATCH_HABIT (-0.82)
-/* Takes note of a fill: of all before the first question. */
+/* Learns from a fill; all fills come before the first question. */
 void plb_hatch_direction_learn(hatcher *h, const item *fill);
-/* The direction in which it is hatched, radians. */
+/* Gives the direction in which it is hatched, radians. */
 double plb_hatch_direction(const hatcher *h, const item *fill);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Which way a shape is hatched. One direction serves all shapes of about the same tone, so that a map or a chart does not
+ * The direction in which a shape is hatched. One direction serves all shapes of about the same tone, so that a map or a chart does not
  * become a patchwork: the long axis that most of them share, or else the way a right hand hatches by habit.
  */
 #include "plan/hatch/hatch.h"

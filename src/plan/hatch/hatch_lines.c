@@ -10,8 +10,8 @@
 
 #include <math.h>
 
-/* Of the distance of two lines, one standard deviation of what a line strays, and the depth of the slow drift of the
- * distance over DRIFT_LINES lines (chosen by eye). */
+/* A line strays from its place by the first, one standard deviation; the distance of lines drifts by the second over DRIFT_LINES lines: both as
+ * shares of the distance of two lines (chosen by eye). */
 #define SPACING_UNEVEN 0.09
 #define SPACING_DRIFT 0.1
 #define DRIFT_LINES 11
@@ -48,7 +48,7 @@ typedef struct {
 /* Numbers of a line: what each is for. */
 enum { AT_PLACE, AT_TILT, AT_PRESSURE, AT_SWEEP, AT_RANK, AT_SPAN, PER_LINE = 4096 };
 
-/* Near enough normal, of standard deviation 1, within ±3.46. */
+/* Gives a number that is near enough normal, of standard deviation 1, within ±3.46. */
 static double stray(uint64_t key, uint64_t index)
 {
     double sum = 0;
@@ -67,7 +67,7 @@ static uint64_t number(const hatching *h, uint64_t what)
     return h->line * PER_LINE + (what < PER_LINE ? what : PER_LINE - 1);
 }
 
-/* How far an end strays outward: inside on average. */
+/* Tells how far an end strays outward: inside on average. */
 static double stray_of_end(const hatching *h, double length, uint64_t index)
 {
     double most = fmin(END_MAX, END_PART * length);
@@ -115,7 +115,7 @@ static bool send_sweeps(const hatching *h, const sections *k, double v, double t
 #define SHORTEST_PART 2.5
 #define MAX_TONE_LOOKS 4000
 
-/* The rank of a line, evenly spread in [0, 1) over any run of neighbours (van der Corput's sequence), a little uneven: where
+/* Gives the rank of a line, evenly spread in [0, 1) over any run of neighbours (van der Corput's sequence), a little uneven: where
  * the tone asks for a share of the lines, those of a lower rank are drawn. */
 static double rank_of(const hatching *h)
 {
@@ -125,7 +125,7 @@ static double rank_of(const hatching *h)
     return within(rank + 0.03 + 0.06 * stray(h->key, number(h, AT_RANK)), 0, 0.999);
 }
 
-/* The pressure that the tone asks of this line at a place; 0 where it is not drawn. */
+/* Gives the pressure that the tone asks of this line at a place; 0 where it is not drawn. */
 static double pressure_at(const hatching *h, point at, double rank)
 {
     double darkness = plb_darkness_at(h->l->tone, at);
@@ -183,7 +183,7 @@ static bool send_line(const hatching *h, const sections *k, double v, double til
     return ok;
 }
 
-/* The slow drift of distances: a smooth function of the line's number, between -1 and 1. */
+/* Gives the slow drift of distances: a smooth function of the line's number, between -1 and 1. */
 static double drift(uint64_t key, uint64_t line)
 {
     uint64_t knot = line / DRIFT_LINES;

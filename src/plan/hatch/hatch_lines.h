@@ -32,7 +32,7 @@ bool plb_hatch_lines(const shape *s, const hatch_layer *l, box page, const marks
 
 /* scribble.c: shapes whose bounds are narrower than this, mm, are solid. */
 double plb_solid_breadth(double width);
-/* Whether a shape is so thin or small that it is scribbled full rather than hatched, in *solid. */
+/* Tells whether a shape is so thin or small that it is scribbled full rather than hatched, in *solid. */
 bool plb_is_solid(const shape *s, double width, bool *solid, error *err);
 /* Scribbles it full. *outline: whether its outline is still to be drawn. */
 bool plb_scribble(const shape *s, box page, const marks *m, bool *outline);

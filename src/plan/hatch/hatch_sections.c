@@ -68,7 +68,7 @@ double plb_sections_v(const sections *k, double v, double tilt, double u)
     return v + tilt * (u - (k->bounds.x0 + k->bounds.x1) / 2);
 }
 
-/* Edges that this line or a later one may meet. */
+/* Keeps the edges that this line or a later one may meet. */
 static bool update_active(sections *k, double v)
 {
     double reach = k->tilt * (k->bounds.x1 - k->bounds.x0) / 2;
@@ -87,7 +87,7 @@ static bool update_active(sections *k, double v)
     return true;
 }
 
-/* How far a place lies beyond the line: its sign tells the side, the same for every edge that ends there. */
+/* Tells how far a place lies beyond the line: its sign tells the side, the same for every edge that ends there. */
 static double beyond(const sections *k, double v, double tilt, point p)
 {
     return p.y - plb_sections_v(k, v, tilt, p.x);

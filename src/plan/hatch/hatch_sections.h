@@ -24,7 +24,7 @@ typedef struct {
 frame plb_frame(double radians);
 static inline point frame_to(frame f, point p) { return (point){p.x * f.c + p.y * f.s, p.y * f.c - p.x * f.s}; }
 static inline point frame_from(frame f, point q) { return (point){q.x * f.c - q.y * f.s, q.x * f.s + q.y * f.c}; }
-/* The bounds of a box's corners in the frame. */
+/* Gives the bounds of a box's corners in the frame. */
 box plb_frame_box(frame f, box b);
 
 /* A piece of a line inside the shape: u from, u to. */

@@ -93,7 +93,7 @@ static bool measure(shape *s, error *err)
     return ok;
 }
 
-/* The mean section where a point of the shape, picked by chance, lies. */
+/* Computes the mean section where a point of the shape, picked by chance, lies. */
 static bool mean_section(const shape *s, double radians, double *mean, error *err)
 {
     sections k;

@@ -15,7 +15,7 @@ typedef struct {
     size_t subpaths;
     bool is_convex;    /* one subpath that turns one way only */
     uint64_t identity; /* a hash of its geometry */
-    /* Of the filled part; 0 when there is none. */
+    /* Figures of the filled part; 0 when there is none. */
     double area;       /* mm2 */
     double perimeter;  /* mm, of all edges */
     point centre;
@@ -26,7 +26,7 @@ typedef struct {
 /* False and `err` when out of memory; `s` is then to be freed all the same. */
 bool plb_shape_init(shape *s, const item *fill, error *err);
 void plb_shape_free(shape *s);
-/* How broad it is, mm: the mean length of its sections in that of four directions in which they are shortest. */
+/* Tells how broad it is, mm: the mean length of its sections in that of four directions in which they are shortest. */
 bool plb_shape_breadth(const shape *s, double *breadth, error *err);
 
 #endif

@@ -36,7 +36,7 @@ technique plb_technique(double effort, double width)
     return q;
 }
 
-/* What the pencil can do of a darkness: as it is up to the knee, then evenly up to the pencil's darkest. */
+/* Gives the darkness that the pencil can make of a darkness: the same up to the knee, then evenly up to the pencil's darkest. */
 static double within_reach(double darkness, double darkest)
 {
     double knee = KNEE * darkest;

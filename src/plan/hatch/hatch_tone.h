@@ -11,19 +11,19 @@
 /* Lighter tones are left to the paper (chosen by eye). */
 #define MIN_DARKNESS 0.045
 
-/* How an area is hatched. */
+/* A technique says how an area is hatched. */
 #define HATCH_LAYERS 2
 typedef struct {
     double pressure;
     double spacing[HATCH_LAYERS]; /* of each layer's lines, mm; 0: no such layer */
 } technique;
 
-/* From the faintest, 0, to the darkest, 1; `width` is the pencil's, mm. */
+/* Gives the technique of an effort from the faintest, 0, to the darkest, 1; `width` is the pencil's, mm. */
 technique plb_technique(double effort, double width);
-/* The technique for a darkness (0 paper to 1 black) with the pencil of these options. */
+/* Gives the technique for a darkness (0 paper to 1 black) with the pencil of these options. */
 technique plb_technique_for(double darkness, const plan_options *o);
 
-/* Where tone comes from: one paint, or a gradient. */
+/* A tone comes from one paint or from a gradient. */
 typedef struct {
     const paint *paint;
     const gradient *gradient; /* NULL: the paint's tone is the same everywhere */
@@ -31,11 +31,11 @@ typedef struct {
     const plan_options *options;
 } tone_source;
 tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, bool colour);
-/* The darkest of all its places. */
+/* Gives the darkest of all its places. */
 double plb_darkest(const tone_source *t);
 double plb_darkness_at(const tone_source *t, point at);
 
-/* The darkness that a paint means. In colour it is how densely the pencil covers. */
+/* Gives the darkness that a paint means. In colour it is how densely the pencil covers. */
 double plb_paint_darkness(const paint *p, bool colour);
 
 #endif

@@ -40,7 +40,7 @@
 /* Sections so many widths to either side tell how a pass must end, and so many widths inside them it does. */
 #define SIDE_WIDTHS 0.3
 #define END_INSET 0.25
-/* A movement back and forth is no longer than this, mm: then the hand sets off anew. */
+/* A movement back and forth is no longer than this, mm: then the hand starts again. */
 #define MOVEMENT_LONGEST 30.0
 /* An inset outline has no more corners. */
 #define MAX_CORNERS 400
@@ -54,7 +54,7 @@ typedef struct {
     uint64_t key;
 } scribble;
 
-/* Of bounds b mm or less broad, twice the area over the perimeter is at most b. */
+/* A shape whose bounds are at most b mm broad has at most b of twice the area over the perimeter. */
 double plb_solid_breadth(double width)
 {
     return SOLID_WIDTHS * width;
@@ -163,7 +163,7 @@ static bool turn_at(const scribble *k, zigzag *c, double u, double v)
     return array_push(&c->turns, p);
 }
 
-/* What a section beside the pass leaves of it: where the edge runs slantwise, the pass must end earlier. */
+/* Gives the part of a pass that a section beside the pass leaves: where the edge runs slantwise, the pass must end earlier. */
 static span within_side(span s, const sections *side)
 {
     span best = s;
@@ -178,7 +178,7 @@ static span within_side(span s, const sections *side)
     return best;
 }
 
-/* A pass ends inside the shape by about half the line, less the shorter the pass is. */
+/* Ends a pass inside the shape by about half the line's width; the shorter the pass, the less. */
 static span narrowed(const scribble *k, span s, const sections side[2], uint64_t index)
 {
     s = within_side(within_side(s, &side[0]), &side[1]);
@@ -238,7 +238,7 @@ static bool sections_at(pass_sections *at, const scribble *k, uint64_t line, dou
            plb_sections_at(&at->side[1], v + beside, 0, k->m->err);
 }
 
-/* Adds the pass of one section: on from the chain it overlaps, or a new one. */
+/* Adds the pass of one section: on from the zigzag that the section overlaps, or in a new one. */
 static bool add_pass(const scribble *k, zigzags *open, const pass_sections *at, size_t index)
 {
     span s = at->cut.spans.v[index], in = narrowed(k, s, at->side, at->line * 1024 + index * 2);
@@ -259,7 +259,7 @@ static bool add_pass(const scribble *k, zigzags *open, const pass_sections *at, 
     return ok;
 }
 
-/* Ends the movements that the line at work did not meet. */
+/* Ends the zigzags that the line at work did not meet. */
 static bool end_unmet(const scribble *k, zigzags *open, bool all)
 {
     size_t kept = 0;
@@ -309,7 +309,7 @@ static point unit(point v)
     return l > 0 ? point_scale(v, 1 / l) : v;
 }
 
-/* The corner after edge i, moved inward in its mitre; `inward` is 1 or -1. */
+/* Gives the corner after edge i, moved inward in its mitre; `inward` is 1 or -1. */
 static point inset_corner(const shape *s, size_t i, double by)
 {
     const shape_edge *e = &s->edges.v[i], *f = &s->edges.v[(i + 1) % s->edges.n];

@@ -83,7 +83,7 @@ void plb_coverage_free(coverage_raster *t)
     plb_free(t);
 }
 
-/* The first open column of the row from `column` on; t->columns: none. */
+/* Gives the first open column of the row from `column` on; t->columns: none. */
 static int next_open(coverage_raster *t, int row, int column)
 {
     uint32_t *open = t->open + (size_t)row * ((size_t)t->columns + 1), k = (uint32_t)column;
@@ -117,7 +117,7 @@ bool plb_coverage_hides_box(coverage_raster *t, box b)
 
 /* ---- a shape ---- */
 
-/* The edges of the shape at work, whose subpaths are closed. */
+/* Finds the edges of the shape at work, whose subpaths are closed. */
 static bool find_edges(coverage_raster *t, const path *shape, error *err)
 {
     plb_tracks_clear(&t->lines);
@@ -134,7 +134,7 @@ static bool find_edges(coverage_raster *t, const path *shape, error *err)
     return ok;
 }
 
-/* The part of an edge that is on the page or just beside it; false: none is. */
+/* Computes the part of an edge that is on the page or just beside it; false: none is. */
 static bool clip_edge(const coverage_raster *t, shape_edge *e)
 {
     double more = EDGE_MARGIN_MM, size[2] = {t->columns * t->cells.cell, t->rows * t->cells.cell}, from = 0, to = 1;
@@ -184,7 +184,7 @@ static bool hides_marked(coverage_raster *t)
     return true;
 }
 
-/* The rows whose middle an edge passes: from the first to before the last. */
+/* Computes the rows whose middle an edge passes: from the first to before the last. */
 static void rows_passed(const coverage_raster *t, shape_edge e, int *first, int *last)
 {
     double low = fmin(e.a.y, e.b.y) / t->cells.cell - .5, high = fmax(e.a.y, e.b.y) / t->cells.cell - .5;
@@ -198,7 +198,7 @@ static int compare_crossings(const void *a, const void *b)
     return (x->x > y->x) - (x->x < y->x);
 }
 
-/* Where the edges cross the rows' middles, row after row, from left to right. */
+/* Finds where the edges cross the rows' middles, row after row, from left to right. */
 static bool find_crossings(coverage_raster *t)
 {
     int row, last;

@@ -3,8 +3,8 @@
  * Plan, step 4: hidden lines. In painter's order an opaque area hides what was painted before it; a person leaves out
  * what is hidden, and lifts the pencil where a line goes under.
  *
- * What hides is a fill, or a line much wider than the pencil's, whose paint is opaque; white counts: a program blots
- * out with it. Areas are kept in a tree of boxes (sorted by Morton code and packed bottom up, eight to a node), each
+ * A fill hides when its paint is opaque, and so does a line much wider than the pencil's; white counts: a program blots
+ * out with white. Areas are kept in a tree of boxes (sorted by Morton code and packed bottom up, eight to a node), each
  * node with the latest item below it, so that a question passes by all that lies elsewhere or earlier.
  * An area's region is made when a question first reaches it. Before that a raster of what covers its cells whole
  * (coverage_raster.h) tells most of what is hidden, so that only lines near to what is seen are cut exactly.
@@ -73,7 +73,7 @@ static box intersect(box a, box b)
     return (box){fmax(a.x0, b.x0), fmax(a.y0, b.y0), fmin(a.x1, b.x1), fmin(a.y1, b.y1)};
 }
 
-/* The box that an item can paint in: its path's, within the page and its clips. */
+/* Gives the box that an item can paint in: its path's, within the page and its clips. */
 static box reach_of(const display_list *list, const item *it)
 {
     box b = plb_path_bounds(&it->path);
@@ -145,7 +145,7 @@ static bool build(occluders *c)
 
 /* ---- what is hidden as a whole ---- */
 
-/* Whether the item's clips are upright boxes, so that its box within them says all. */
+/* Tells whether the item's clips are upright boxes, so that its box within them says all. */
 static bool has_box_clips(const occluders *c, const item *it)
 {
     for (int k = it->clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {
@@ -168,7 +168,7 @@ static bool look_at_shape(occluders *c, size_t i, box within)
     return ok;
 }
 
-/* From the last item to the first. */
+/* Looks for hidden items from the last item to the first. */
 static bool find_hidden(occluders *c)
 {
     const display_list *list = c->list;
@@ -254,7 +254,7 @@ static const region *region_of(occluders *c, area *a)
 /* Does something: true goes on to the next area. */
 typedef bool (*area_visit)(occluders *c, area *a, void *closure);
 
-/* Whether something below the node may matter: a box that meets `b`, later than the one that asks, or any. */
+/* Tells whether something below the node may matter: a box that meets `b`, later than the one that asks, or any. */
 static bool concerns(occluders *c, const node *at, const box *b)
 {
     c->work++;
@@ -353,7 +353,7 @@ static bool cross_below(const void *of, point from, point to, crossings *at)
     return cross((occluders *)of, false, from, to, at);
 }
 
-/* What lies on top below the item that asks. */
+/* Asks for the area that lies on top below the item that asks. */
 typedef struct {
     point at;
     size_t next; /* one more than the order of the latest area found; 0: none */
@@ -401,7 +401,7 @@ static bool is_open(const void *of, point p)
     return !plb_coverage_is_over(c->raster, c->query_item, p);
 }
 
-/* The parts of a track that the exact rule sees. */
+/* Computes the parts of a track that the exact rule sees. */
 static bool cut(occluders *c, const trim_rule *exact, const track *t, track_list *out, bool *is_part)
 {
     if (!c->raster)
@@ -416,7 +416,7 @@ static bool cut(occluders *c, const trim_rule *exact, const track *t, track_list
     return ok;
 }
 
-/* Whether an end is not that of the whole track. */
+/* Tells whether an end is not that of the whole track. */
 static bool is_new_end(point end, point of_whole)
 {
     return plb_point_distance(end, of_whole) > SAME_POINT_MM;

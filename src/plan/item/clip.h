@@ -13,7 +13,7 @@
 typedef struct clipper clipper;
 clipper *plb_clipper_new(const display_list *list, error *err);
 void plb_clipper_free(clipper *c);
-/* The clip of that index, without its parents; NULL and `err` when out of memory. */
+/* Gives the clip of that index, without its parents; NULL and `err` when out of memory. */
 const region *plb_clipper_region(clipper *c, int index, error *err);
 /* Appends the parts of the tracks `in` inside a clip, its parents and the page to `out`; `index` is an item's clip or NO_CLIP. False and
  * `err` when out of memory. */

@@ -54,7 +54,7 @@ static double length_of(const pattern *p, size_t k)
     return p->it->dash.v[k % p->it->dash.n] * p->factor;
 }
 
-/* How far from its place the running entry ends. */
+/* Tells how far from its place the running entry ends. */
 static double stray(const pattern *p)
 {
     double most = fmin(length_of(p, p->k), length_of(p, p->k + 1)) * DASH_UNEVEN;

@@ -24,7 +24,7 @@ static point left_of(point a, point b)
     return length > 0 ? (point){d.y / length, -d.x / length} : (point){0, 0};
 }
 
-/* The point number k of `t` moved aside by `d`, in the mitre of its two segments. */
+/* Gives the point number k of `t` moved aside by `d`, in the mitre of its two segments. */
 static point aside(const track *t, size_t k, double d)
 {
     size_t n = t->n, last = n - 1;
@@ -73,7 +73,7 @@ static bool build_pass(const track *t, double d, stroke_kind kind, track_list *o
     return ok;
 }
 
-/* How far the cap reaches beyond the end at distance `d` from the middle. */
+/* Tells how far the cap reaches beyond the end at distance `d` from the middle. */
 static double cap_reach(const item *it, double radius, double d)
 {
     if (it->cap == LINE_CAP_BUTT)

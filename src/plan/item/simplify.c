@@ -30,7 +30,7 @@ static bool add(simplifier *c, track_point p)
     return array_push(&c->out->points, p);
 }
 
-/* Samples of the points first to last, at even distances of about a part of a width. */
+/* Samples the line from point first to point last at even distances of about a part of a width. */
 static bool sample(simplifier *c, size_t first, size_t last)
 {
     const track_point *v = c->t->v;
@@ -77,7 +77,7 @@ static bool smooth_run(simplifier *c, size_t first, size_t last)
     return ok && add(c, c->t->v[last]);
 }
 
-/* The last corner of the crowded run that begins at corner `first`; how many it has in *corners. */
+/* Gives the last corner of the crowded run that begins at corner `first`; how many it has in *corners. */
 static size_t end_of_run(const simplifier *c, size_t first, size_t *corners)
 {
     const track *t = c->t;

@@ -41,7 +41,7 @@ static int compare_shares(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* Of the control polygon: near enough for a median. */
+/* Measures the control polygon: near enough for a median. */
 static double rough_length(const path *p)
 {
     double sum = 0;

@@ -7,14 +7,14 @@
 
 #include "plan/plan.h"
 
-/* Whether the paint is dark enough to leave a mark on white paper. */
+/* Tells whether the paint is dark enough to leave a mark on white paper. */
 bool plb_leaves_mark(const item *it);
 /* A line this wide is an area to the pencil: it is drawn by passes side by side, and hides what is below it. */
 bool plb_is_wide(const item *it, const plan_options *o);
-/* The width of most of the drawing's lines, mm: the median, each line counted by its length. `o->pencil_width` where
+/* Computes the width of most of the drawing's lines, mm: the median, each line counted by its length. `o->pencil_width` where
  * there are no lines but wide ones. False and `err` when out of memory. */
 bool plb_usual_width(const display_list *list, const plan_options *o, double *width, error *err);
-/* The touch for `it`'s lines in a drawing whose lines are `usual` mm wide. */
+/* Gives the style of the lines of `it` in a drawing whose lines are `usual` mm wide. */
 stroke_style plb_style_of(const item *it, const plan_options *o, double usual);
 
 #endif

@@ -45,7 +45,7 @@ static bool add_disc(widener *w, point at)
     return add_polygon(w, v, DISC_CORNERS);
 }
 
-/* How far to the left of `at` the edge lies, between the directions in and out. */
+/* Tells how far to the left of `at` the edge lies, between the directions in and out. */
 static point side(const widener *w, point in, point out)
 {
     point along = unit((point){0, 0}, point_add(in, out));
@@ -65,7 +65,7 @@ static point at(const track *t, long k)
     return t->v[(k + n) % n].at;
 }
 
-/* The quadrilateral of the segment from point k, and the discs that it needs at its ends. */
+/* Adds the quadrilateral of the segment from point k, and the discs that it needs at its ends. */
 static bool add_segment(widener *w, const track *t, long k)
 {
     long last = (long)t->n - 2;

@@ -108,7 +108,7 @@ static bool add_dot(lettering *l, box b)
     return ok;
 }
 
-/* About as high as wide, and of one disc or hardly longer than a stroke is thick. */
+/* Tells a dot: about as high as wide, and of one disc or hardly longer than a stroke is thick. */
 static bool is_dot(const lettering *l, box b, bool compact)
 {
     double w = b.x1 - b.x0, h = b.y1 - b.y0;
@@ -117,7 +117,7 @@ static bool is_dot(const lettering *l, box b, bool compact)
 
 /* ---- one part ---- */
 
-/* The two middles of the short sides of a quadrangle much longer than wide; false of anything else. Drawings have
+/* Computes the two middles of the short sides of a quadrangle much longer than wide; false of anything else. Drawings have
  * thousands of such bars, some as long as the page: they need no raster. */
 static bool is_long_bar(const letter_part *part, point *from, point *to)
 {

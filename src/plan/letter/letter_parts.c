@@ -12,7 +12,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* What lettering may have; beyond, a fill is left to others before it costs time. */
+/* Lettering has no more than these; a larger fill is left to hatching before the fill costs time. */
 #define MAX_FILL_POINTS 400000u       /* of a fill, flattened */
 #define MAX_CONTOUR_POINTS 5000u /* of one contour: the @ has 120 */
 #define MAX_NESTED 2000u         /* contours of a fill by the even-odd rule */

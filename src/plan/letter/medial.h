@@ -97,7 +97,7 @@ typedef struct {
     int step;        /* +1 or -1: along medial.points away from the end */
 } medial_arm;
 medial_arm plb_medial_arm(const medial *m, const medial_branch *b, int end);
-/* Where the lines of two arms meet; false when they are as good as parallel. */
+/* Finds where the lines of two arms meet; false when they are as good as parallel. */
 bool plb_medial_arms_meet(const medial_arm *a, const medial_arm *b, point *at);
 /* 0 when the two go on straight into each other, up to pi; radians. */
 double plb_medial_arms_bend(const medial_arm *a, const medial_arm *b);

@@ -2,7 +2,7 @@
  *
  * Medial axis: a branch seen from one of its ends. Within the disc of a joint the axis bends towards its middle, and
  * where two strokes have grown together it is thicker than either; the branch is true only beyond that. There it has
- * a place and a direction from which the joint is made anew.
+ * a place and a direction from which the joint is made again.
  */
 #include "plan/letter/medial.h"
 
@@ -21,7 +21,7 @@ static int compare(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* The lower third of the radii along the branch: thickness where it is alone. */
+/* Gives the lower third of the radii along the branch: thickness where it is alone. */
 static double usual_radius(const medial *m, const medial_branch *b)
 {
     double some[33] = {0}; /* a branch of no points has no radius */

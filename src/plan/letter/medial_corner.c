@@ -16,7 +16,7 @@
 #define NEAR 1.2
 #define FAR 3.5
 
-/* What lies on one side of a point of a branch. */
+/* The course of a branch on one side of a point. */
 typedef struct {
     point near, middle, far;
     double thickest; /* radius between the two */
@@ -44,14 +44,14 @@ static side look(const medial *m, const medial_branch *b, size_t i, int step)
     return s;
 }
 
-/* How much the side itself bends from its nearer half to its farther one, radians, to the right of its way outward. */
+/* Tells how much the side itself bends from its nearer half to its farther one, radians, to the right of its way outward. */
 static double bend_of(const side *s)
 {
     point a = point_sub(s->middle, s->near), b = point_sub(s->far, s->middle);
     return atan2(point_cross(a, b), point_dot(a, b));
 }
 
-/* The turn between the sides of a point less what they bend themselves, as around a bowl, radians, and the unit vector out of it. Too near to an end there is none; to a
+/* Gives the turn between the sides of a point less what they bend themselves, as around a bowl, radians, and the unit vector out of it. Too near to an end there is none; to a
  * joint or another corner, sooner. */
 static double turn_at(const medial *m, const medial_branch *b, double r, const side *before, const side *after, point *out)
 {
@@ -83,7 +83,7 @@ static double thickness(const raster *r, point at, point across)
     return reach(r, at, across) + reach(r, at, point_scale(across, -1));
 }
 
-/* A glance, cheap: whether the chords to both sides bend at all. */
+/* Tells at little cost whether the chords to both sides bend at all. */
 static bool may_turn(const medial *m, const medial_branch *b, size_t i)
 {
     const medial_point *p = m->points.v + b->first;
@@ -93,7 +93,7 @@ static bool may_turn(const medial *m, const medial_branch *b, size_t i)
     return along <= 0 || along * along < 0.85 * point_dot(in, in) * point_dot(on, on); /* 23 degrees */
 }
 
-/* The sharpest corner of the branch, or 0. */
+/* Gives the sharpest corner of the branch, or 0. */
 static size_t find_corner(const medial *m, const medial_branch *b, const raster *r)
 {
     size_t found = 0;

@@ -118,7 +118,7 @@ static bool push_node(medial *m, int node)
     return array_push(&m->points, p);
 }
 
-/* From the chain pixel `i`, a neighbour of node `from`, along the chain to the next node. */
+/* Walks from the line's pixel `i`, a neighbour of node `from`, along the chain to the next node. */
 static bool trace(graph_maker *g, int from, int i)
 {
     size_t first = g->m->points.n;

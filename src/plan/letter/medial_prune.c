@@ -30,7 +30,7 @@ static int other_node(const medial_branch *b, int node)
     return b->node[b->node[0] == node];
 }
 
-/* The joint that a leaf hangs on, or -1 when the branch is no leaf. */
+/* Gives the joint that a leaf hangs on, or -1 when the branch is no leaf. */
 static int joint_of(const medial *m, const medial_branch *b)
 {
     if (b->gone || b->node[0] == b->node[1])
@@ -39,7 +39,7 @@ static int joint_of(const medial *m, const medial_branch *b)
     return first == 1 && second > 1 ? b->node[1] : second == 1 && first > 1 ? b->node[0] : -1;
 }
 
-/* How far the shape at a leaf's tip lies outside of the joint's disc. */
+/* Tells how far the shape at a leaf's tip lies outside of the joint's disc. */
 static double protrusion(const medial *m, const medial_branch *b, int joint)
 {
     const medial_node *tip = &m->nodes.v[other_node(b, joint)], *j = &m->nodes.v[joint];
@@ -112,11 +112,11 @@ static bool join(medial *m, size_t i, size_t j, int node)
     return true;
 }
 
-/* The branches that end at `node`, up to `room`; a loop counts once. */
-static int branches_at(const medial *m, int node, size_t *found, int room)
+/* Gives the branches that end at `node`, up to `capacity`; a loop counts once. */
+static int branches_at(const medial *m, int node, size_t *found, int capacity)
 {
     int n = 0;
-    for (size_t i = 0; i < m->branches.n && n < room; i++)
+    for (size_t i = 0; i < m->branches.n && n < capacity; i++)
         if (!m->branches.v[i].gone && (m->branches.v[i].node[0] == node || m->branches.v[i].node[1] == node))
             found[n++] = i;
     return n;

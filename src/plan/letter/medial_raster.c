@@ -68,7 +68,7 @@ static void mark_inside(raster *r, const contour_set *o, const int16_t *change)
     r->area = (size_t)area;
 }
 
-/* In `up`, how many pixels up or down the nearest one outside is. */
+/* Fills `up` with the number of pixels up or down to the nearest one outside. */
 static void measure_columns(const raster *r, int16_t *up)
 {
     int w = r->width, h = r->height;
@@ -81,7 +81,7 @@ static void measure_columns(const raster *r, int16_t *up)
                 up[y * w + x] = (int16_t)(up[(y + 1) * w + x] + 1);
 }
 
-/* The largest distance, squared. */
+/* Gives the largest distance, squared. */
 static int measure_row(const raster *r, const int16_t *up, float *radius)
 {
     int most = 0;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Medial axis, step 5: the graph as strokes of a pen. At each joint the axis is thrown away and made anew from the
+ * Medial axis, step 5: the graph as strokes of a pen. At each joint the axis is thrown away and made again from the
  * arms that lead there: arms that go on straight into each other are one stroke; the others run on to that stroke, or
  * all to where their lines meet best. Two arms at an angle are one stroke with a corner. Free ends run on to the tip
  * of the shape, less half of what the pen is wide.
@@ -43,7 +43,7 @@ void plb_pen_free(pen *p)
 
 /* ---- free ends ---- */
 
-/* From the anchor straight on to the shape's edge. */
+/* Extends a free end from its anchor straight on to the shape's edge. */
 static void extend_to_tip(const stroke_maker *j, arm_end *e)
 {
     point back = point_scale(e->arm.outward, -1), p = e->arm.anchor;
@@ -71,7 +71,7 @@ static void set_end(stroke_maker *j, int a, point place)
     j->arms[a].place = place;
 }
 
-/* The point that lies nearest to all arms' lines: least squares. Kept near the joint. */
+/* Gives the point that lies nearest to all arms' lines: least squares. Kept near the joint. */
 static point meeting_point(const stroke_maker *j, const int *arm, int n, int node)
 {
     double xx = 1e-3, xy = 0, yy = 1e-3;
@@ -114,7 +114,7 @@ static void make_corner(stroke_maker *j, const int *arm, int node)
     set_pair(j, arm[0], arm[1], TO_ARM_BY_CORNER, meet);
 }
 
-/* Where the arm's line hits the stroke through a and b, which is straight there; else the joint's middle. */
+/* Finds where the arm's line hits the stroke through a and b, which is straight there; else the joint's middle. */
 static point hit(const stroke_maker *j, int arm, int a, int b)
 {
     const medial_arm *k = &j->arms[arm].arm;
@@ -162,7 +162,7 @@ static void make_joint(stroke_maker *j, const int *arm, int n, int node)
             set_end(j, arm[i], hit(j, arm[i], first.a, first.b));
 }
 
-/* The arms at each node, as linked lists: head[node], next[arm]. */
+/* Solves each node. The arms at a node are a linked list: head[node], next[arm]. */
 static void solve_joints(stroke_maker *j, const int *head, const int *next)
 {
     for (size_t k = 0; k < j->m->nodes.n; k++) {
@@ -194,7 +194,7 @@ static bool add_point(pen *out, point at, bool corner)
     return array_push(&out->points, p);
 }
 
-/* The branch entered by arm `a` up to its other end. */
+/* Adds the branch entered by arm `a` up to its other end. */
 static bool add_branch(stroke_maker *j, int a)
 {
     size_t i = j->arms[a].arm.cut, last = j->arms[a ^ 1].arm.cut, step = (size_t)j->arms[a].arm.step;
@@ -207,7 +207,7 @@ static bool add_branch(stroke_maker *j, int a)
     return add_point(j->out, j->arms[a ^ 1].arm.anchor, false);
 }
 
-/* From arm `a` through all joints that lead on. */
+/* Adds the stroke from arm `a` through all joints that lead on. */
 static bool add_stroke(stroke_maker *j, int a)
 {
     pen_stroke s = {.first = j->out->points.n};

@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-/* The eight neighbours as bits, clockwise from the right. */
+/* Gives the eight neighbours as bits, clockwise from the right. */
 static unsigned neighbours(const uint8_t *at, int w)
 {
     return (unsigned)(at[1] | at[w + 1] << 1 | at[w] << 2 | at[w - 1] << 3 | at[-1] << 4 | at[-w - 1] << 5 | at[-w] << 6 | at[1 - w] << 7);
@@ -66,7 +66,7 @@ static int level_of(const raster *r, int i)
     return (int)(r->radius[i] * 8);
 }
 
-/* The pixels inside, nearest to the edge first: a counting sort. */
+/* Gives the pixels inside, nearest to the edge first: a counting sort. */
 static int *sort_by_distance(const raster *r)
 {
     int levels = (int)(r->largest * 8) + 2, n = r->width * r->height;

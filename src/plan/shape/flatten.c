@@ -42,7 +42,7 @@ static bool add_point(flattener *f, point to)
     return ok || plb_fail_memory(f->err);
 }
 
-/* A piece leaves the last point along `out`: is there a corner? */
+/* Marks a corner at the last point if the piece that leaves that point along `out` turns sharply. */
 static void join(flattener *f, point out)
 {
     if (is_zero(out))
@@ -64,7 +64,7 @@ static bool add_line(flattener *f, point to)
     return add_point(f, to);
 }
 
-/* How far the three legs of a control polygon turn altogether, radians. */
+/* Tells how far the three legs of a control polygon turn altogether, radians. */
 static double total_turn(point a, point b, point c)
 {
     double first = is_zero(a) || is_zero(b) ? 0 : fabs(atan2(point_cross(a, b), point_dot(a, b)));

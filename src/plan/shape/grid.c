@@ -58,7 +58,7 @@ int64_t plb_grid_part(double turn, int parts)
     return (int64_t)((whole - floor(whole)) * parts) % parts;
 }
 
-/* The columns of the walk's row: where the segment passes it. */
+/* Computes the columns of the walk's row: where the segment passes it. */
 static void enter_row(grid_walk *w)
 {
     double cell = w->g->cell, height = w->b.y - w->a.y, x0 = w->a.x, x1 = w->b.x;

@@ -31,12 +31,12 @@ void plb_grid_free(grid *g);
 int64_t plb_grid_cell(const grid *g, double at);
 bool plb_grid_put(grid *g, int64_t column, int64_t row, uint32_t value);
 bool plb_grid_put_marked(grid *g, int64_t column, int64_t row, uint32_t value, double mark);
-/* Where the first entry's number lies: memory to be asked for ahead, by who looks into many cells. */
+/* Gives the place of the cell's first entry in memory, for callers that look into many cells and fetch that place ahead. */
 static inline uint32_t *plb_grid_head(const grid *g, int64_t column, int64_t row)
 {
     return &g->head[random_fold(0, column, row) & (g->heads - 1)];
 }
-/* The first entry of the chain that holds the cell's numbers, latest first, and maybe some of other cells. */
+/* Gives the first entry of the chain that holds the cell's numbers, latest first, and maybe some of other cells. */
 static inline uint32_t plb_grid_first(const grid *g, int64_t column, int64_t row)
 {
     return *plb_grid_head(g, column, row);

@@ -56,7 +56,7 @@ static size_t band_of(const region *r, double y)
     return k <= 0 ? 0 : k >= (double)r->bands ? r->bands - 1 : (size_t)k;
 }
 
-/* Without the call that fmin and fmax are. */
+/* fmin and fmax are calls; these two are not. */
 static inline double lower(double a, double b)
 {
     return a < b ? a : b;
@@ -73,7 +73,7 @@ static void band_range(const region *r, region_edge e, size_t *low, size_t *high
     *high = band_of(r, higher(e.a.y, e.b.y));
 }
 
-/* About four edges a band were they short, but so few bands that tall edges are listed about eight times only. */
+/* Gives a band about four edges if they are short, but makes so few bands that tall edges are listed about eight times only. */
 static size_t count_bands(const region *r)
 {
     double heights = 0, whole = r->bounds.y1 - r->bounds.y0, n = (double)r->edges.n;
@@ -170,7 +170,7 @@ bool plb_region_is_box(const region *r)
     return r->is_box;
 }
 
-/* Whether p lies beyond the edge's box by more than the margin. */
+/* Tells whether p lies beyond the edge's box by more than the margin. */
 static bool is_clear_of(region_edge e, point p, double margin)
 {
     double more = margin + 1e-6; /* far above what rounding does */
@@ -186,7 +186,7 @@ static double distance_to_edge(region_edge e, point p)
     return plb_point_distance(point_mix(e.a, e.b, t), p);
 }
 
-/* Whether the edge crosses the level of p to its right. Most lie so far aside that no division tells more; the slack is far
+/* Tells whether the edge crosses the level of p to its right. Most lie so far aside that no division tells more; the slack is far
  * above what rounding does. */
 static bool is_right_of(region_edge e, point p)
 {
@@ -245,7 +245,7 @@ double plb_region_work(const region *r, point from, point to)
     return r->edges.n ? 4 + (double)(r->first[high + 1] - r->first[low]) : 1;
 }
 
-/* Where edge and segment meet, if they do: signs and sizes tell it before anything is divided. */
+/* Finds where edge and segment meet, if they do: signs and sizes tell it before anything is divided. */
 static bool meets(region_edge e, point from, point d, double *at)
 {
     point s = point_sub(e.b, e.a), w = point_sub(e.a, from);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Cutting tracks: see trim.h. Used by clips and by what hides.
+ * Cutting tracks: see trim.h. Clips and occluders cut with these.
  */
 #include "plan/shape/trim.h"
 
@@ -44,7 +44,7 @@ static bool push(cutter *k, point at, bool corner)
     return ok || plb_fail_memory(k->err);
 }
 
-/* The part of a segment from parameter `before` to `t`, which ends at k->done + `length`. */
+/* Adds the part of a segment from parameter `before` to `t`, which ends at k->done + `length`. */
 static bool add_part(cutter *k, track_point from, track_point to, double before, double t, double length)
 {
     bool seen = k->rule->sees(k->rule->of, point_mix(from.at, to.at, (before + t) / 2)), ok = true;

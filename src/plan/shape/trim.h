@@ -8,7 +8,7 @@
 #include "plan/shape/region.h"
 #include "plan/track.h"
 
-/* What decides. Between two neighbouring places that `cross` gives, a segment is seen or not as a whole. */
+/* A rule decides which parts of a line are seen. Between two neighbouring places that `cross` gives, a segment is seen or not as a whole. */
 typedef struct {
     /* Appends the parameters in (0, 1) where the segment may pass from seen to unseen; false when out of memory. */
     bool (*cross)(const void *of, point from, point to, crossings *at);

@@ -44,7 +44,7 @@ static void widen(blocked_span *r, double t)
     r->to = fmax(r->to, t);
 }
 
-/* Where the line from a, `d` long, passes through the disc about c. */
+/* Finds where the line from a, `d` long, passes through the disc about c. */
 static void cross_disc(point a, point d, point c, double radius, blocked_span *r)
 {
     point m = point_sub(a, c);
@@ -96,7 +96,7 @@ static bool put_letter(clearing *c, size_t i)
     return true;
 }
 
-/* Collects what is too near to later letters. */
+/* Collects the parts that are too near to later letters. */
 static bool find_runs(clearing *c, size_t i, point a, point b)
 {
     point d = point_sub(b, a);
@@ -126,7 +126,7 @@ static int compare_runs(const void *a, const void *b)
     return (x->from > y->from) - (x->from < y->from);
 }
 
-/* Sends what is left between the runs. */
+/* Adds the parts that are left between the runs. */
 static bool send_pieces(clearing *c, const stroke *s, point a, point b)
 {
     double length = plb_point_distance(a, b), at = 0;

@@ -63,7 +63,7 @@ static bool stands_for(stroke_style earlier, stroke_style later)
     return earlier.kind == later.kind && earlier.colour == later.colour && earlier.pressure >= later.pressure * (float)MIN_PRESSURE;
 }
 
-/* The part of the segment from a along the unit vector `along`, `length` long, that lies within tolerance of `d`. */
+/* Computes the part of the segment from a along the unit vector `along`, `length` long, that lies within tolerance of `d`. */
 static bool overlap(const duplicate_finder *u, point a, point along, double length, const drawn *d, covered_span *out)
 {
     point p = point_sub(d->a, a), q = point_sub(d->b, a);
@@ -83,7 +83,7 @@ static bool overlap(const duplicate_finder *u, point a, point along, double leng
     return to - from > 1e-9;
 }
 
-/* How far the middle of a cell lies from a line through a along a unit vector, to the side that is the same for all lines of
+/* Tells how far the middle of a cell lies from a line through a along a unit vector, to the side that is the same for all lines of
  * about that direction, whichever way they are drawn: the mark of the line's entry in that cell. */
 static double mark_of(const grid *g, point a, point along, int64_t column, int64_t row)
 {
@@ -110,8 +110,8 @@ typedef struct {
     size_t looks;
 } question;
 
-/* What lies in a cell: the entry to be looked at next, and the asking segment's mark there. Chains lie all over the memory: some
- * are followed at once, and each next entry is asked for a round before it is needed. */
+/* A cursor in a cell: the entry to be looked at next, and the asking segment's mark there. The entries of a cell lie all over the memory:
+ * several cursors move at once, and each next entry is fetched a round before the cursor needs it. */
 #define AT_ONCE 32
 typedef struct {
     uint32_t next;
@@ -163,7 +163,7 @@ static bool follow_chains(duplicate_finder *u, question *q, hash_cursor *c, size
     return true;
 }
 
-/* The chains of the walk's next cells, as many as are followed at once. */
+/* Gives the chains of the walk's next cells, as many as are followed at once. */
 static size_t next_chains(const duplicate_finder *u, const question *q, grid_walk *w, hash_cursor out[AT_ONCE])
 {
     const uint32_t *head[AT_ONCE];
@@ -264,7 +264,7 @@ static bool keep_part(duplicate_finder *u, const stroke *s, const point *at, dou
     return u->piece.n < 2 || plb_plan_append(u->made, &part, u->piece.v, u->piece.n);
 }
 
-/* The stroke, or what its runs leave of it. */
+/* Adds the stroke, or the parts that the runs leave of it. */
 static bool keep(duplicate_finder *u, const stroke *s, const point *at, double whole)
 {
     if (u->runs.n == 0)

@@ -17,7 +17,7 @@ typedef struct {
     size_t n, capacity;
 } identity_set;
 
-/* Whether `key` was new to the set, in *fresh; false when out of memory. */
+/* Tells whether `key` was new to the set, in *fresh; false when out of memory. */
 static bool insert(identity_set *s, uint64_t key, bool *fresh)
 {
     if (s->n * 2 >= s->capacity) {
@@ -42,7 +42,7 @@ static bool insert(identity_set *s, uint64_t key, bool *fresh)
     return true;
 }
 
-/* The same from both ends: hashed from the one that is farther left, or higher. */
+/* Hashes a stroke, the same from both ends: from the end that is farther left, or higher. */
 static uint64_t hash_shape(const point *at, size_t n, bool closed)
 {
     uint64_t h = closed ? 0x9ae16a3b2f90404fu : 0xc3a5c85c97cb3127u;

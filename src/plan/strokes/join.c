@@ -59,7 +59,7 @@ static point place_of(const joiner *j, uint32_t end)
     return j->place[end];
 }
 
-/* The direction in which the line leaves its end. */
+/* Gives the direction in which the line leaves its end. */
 static point direction_of(const joiner *j, uint32_t end)
 {
     const stroke *s = stroke_of(j, end);
@@ -99,7 +99,7 @@ static bool is_near(point p, point q, double reach)
     return fabs(p.x - q.x) <= reach && fabs(p.y - q.y) <= reach && plb_point_distance(p, q) <= reach;
 }
 
-/* The ends that lie within `reach` mm of `end`, itself not; how many, more than MAX_ENDS being too many. */
+/* Gives the ends that lie within `reach` mm of `end`, itself not; how many, more than MAX_ENDS being too many. */
 static size_t neighbours(const joiner *j, uint32_t end, double reach, uint32_t found[MAX_ENDS])
 {
     point p = place_of(j, end);
@@ -119,13 +119,13 @@ static size_t neighbours(const joiner *j, uint32_t end, double reach, uint32_t f
     return n;
 }
 
-/* Whether both are the ends of one straight piece: it cannot go on to itself. */
+/* Tells whether both are the ends of one straight piece: it cannot go on to itself. */
 static bool is_one_piece(const joiner *j, uint32_t a, uint32_t b)
 {
     return a / 2 == b / 2 && stroke_of(j, a)->n == 2;
 }
 
-/* The pairs of `end` with ends of higher number. Where pieces are shorter than the tolerance, many ends lie near: then
+/* Finds the pairs of `end` with ends of higher number. Where pieces are shorter than the tolerance, many ends lie near: then
  * only those that touch count. */
 static bool find_pairs(joiner *j, uint32_t end, pair_list *pairs)
 {
@@ -167,7 +167,7 @@ static bool find_batch(void *closure, int member, size_t batch)
     return ok;
 }
 
-/* All pairs, in whichever order: they are sorted, and no two are equal. */
+/* Sorts all pairs, whichever order they are in: no two are equal. */
 static bool find_all_pairs(joiner *j, int threads)
 {
     size_t n = 2 * j->list->strokes.n;
@@ -209,7 +209,7 @@ typedef struct {
     stroke_list *made;
 } linker;
 
-/* Whether the line goes on round a corner at this end: as the item had it, or where it meets one other end. */
+/* Tells whether the line goes on round a corner at this end: as it did in the item, or where the line meets one other end. */
 static bool is_corner(const joiner *j, uint32_t end)
 {
     const stroke *s = stroke_of(j, end);
@@ -233,7 +233,7 @@ static bool add_points(linker *l, uint32_t end)
     return ok;
 }
 
-/* The first end of the chain that stroke i belongs to; of a closed one, i's own start. */
+/* Gives the first end of the chain that stroke i belongs to; of a closed one, i's own start. */
 static uint32_t find_first(const joiner *j, uint32_t i)
 {
     uint32_t end = 2 * i;

@@ -23,7 +23,7 @@
 #define MAX_JUNCTION_LOOKS 10000
 #define MAX_JUNCTION_LOOKS_OF_ALL 1e8
 
-/* Whether p lies so near to the segment. Most do not lie so near to its box: no root for them. */
+/* Tells whether p lies so near to the segment. Most do not lie so near to its box: no root for them. */
 static bool is_near(point p, point a, point b)
 {
     if (p.x < lesser(a.x, b.x) - NEAR_MM || p.x > greater(a.x, b.x) + NEAR_MM || p.y < lesser(a.y, b.y) - NEAR_MM || p.y > greater(a.y, b.y) + NEAR_MM)

@@ -13,7 +13,7 @@
 /* Lines this near in direction, radians, are beside each other, if they are over at least this share of the shorter. */
 #define PARALLEL 0.06
 #define MIN_SIDE_BY_SIDE 0.2
-/* Of the gap each may take so much (by eye: two lines that both do still stay apart). */
+/* Each line may take this share of the gap (by eye: two lines that both do still stay apart). */
 #define SHARE_OF_GAP 0.35
 /* Nearer than this they are one line or meet at an end. */
 #define NEAREST_MM 0.2
@@ -47,7 +47,7 @@ typedef struct {
 } straight_line;
 typedef ARRAY(straight_line) lines;
 
-/* How far the line from c to d lies beside the one that asks where both are; 0 when they are not beside each other. */
+/* Tells how far the line from c to d lies beside the one that asks where both are; 0 when they are not beside each other. */
 static double gap_to(const asker *q, point c, point d)
 {
     point to_c = point_sub(c, q->a), to_d = point_sub(d, q->a);

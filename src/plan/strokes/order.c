@@ -17,7 +17,7 @@
 #define GROUP 48
 /* Cells of the Hilbert curve along a side: 2 to the power of this. */
 #define HILBERT_LEVELS 10
-/* What a kind costs that comes later: more than any way on the page. */
+/* A kind that comes later costs this, mm: more than any way on the page. */
 #define KIND_MM 1e7
 
 typedef struct {
@@ -48,7 +48,7 @@ static void reverse(stroke_list *list, stroke *s)
     s->corner_last = corner;
 }
 
-/* Left to right; steep lines from the top down. */
+/* Tells whether a hand pulls a line this way: left to right; steep lines from the top down. */
 static bool is_pulled(point from, point to)
 {
     point way = point_sub(to, from);
@@ -66,7 +66,7 @@ static void face(stroke_list *list)
     }
 }
 
-/* The place of a cell along the Hilbert curve of that many levels (Hamilton & Rau-Chaplin's turning frame). */
+/* Gives the place of a cell along the Hilbert curve of that many levels (Hamilton & Rau-Chaplin's turning frame). */
 static uint32_t hilbert(uint32_t x, uint32_t y)
 {
     uint32_t place = 0;
@@ -98,7 +98,7 @@ static int compare_entries(const void *a, const void *b)
     return x->place != y->place ? (x->place < y->place ? -1 : 1) : (x->number > y->number) - (x->number < y->number);
 }
 
-/* Guides before all others, then along the curve. */
+/* Sorts guides before all others, then along the curve. */
 static void sort(const stroke_list *list, entry *order)
 {
     double whole = fmax(list->width, list->height);
@@ -111,14 +111,14 @@ static void sort(const stroke_list *list, entry *order)
         qsort(order, list->strokes.n, sizeof *order, compare_entries);
 }
 
-/* What comes first: guides, lines, hatching, lettering. */
+/* Gives the place of a kind in the order: guides, lines, hatching, lettering. */
 static int rank(stroke_kind kind)
 {
     static const int ranks[] = {[STROKE_GUIDE] = 0, [STROKE_LINE] = 1, [STROKE_HATCH] = 2, [STROKE_LETTER] = 3};
     return ranks[kind];
 }
 
-/* How far the pencil has to go to draw `s` next. */
+/* Tells how far the pencil has to go to draw `s` next. */
 static double way_to(const stroke_list *list, const stroke *s, point pen)
 {
     return plb_point_distance(pen, start_of(list, s)) + rank(s->style.kind) * KIND_MM;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the passes over all strokes share.
+ * The passes over all strokes share these helpers.
  */
 #include "plan/strokes/passes.h"
 
@@ -22,7 +22,7 @@ void plb_plan_replace(stroke_list *list, stroke_list *made)
     *list = *made;
 }
 
-/* Their work takes some milliseconds, a thread's start some 20 µs. */
+/* A pass takes some milliseconds, the start of a thread some 20 µs: so many strokes are worth one member. */
 #define PER_MEMBER 2000
 
 int plb_plan_members(int threads, size_t n)

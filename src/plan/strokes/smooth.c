@@ -65,7 +65,7 @@ static bool thin(const point *at, size_t n, points *out)
 
 /* ---- curves ---- */
 
-/* The unit tangent at vertex `k` if the line is part of a curve there, else zero. */
+/* Gives the unit tangent at vertex `k` if the line is part of a curve there, else zero. */
 static point tangent_at(const point *v, size_t n, bool closed, size_t k)
 {
     bool end = k == 0 || k + 1 == n;
@@ -86,7 +86,7 @@ static double turn_between(point a, point b)
     return fabs(atan2(point_cross(a, b), point_dot(a, b)));
 }
 
-/* Appends what leads from a to b, b included, with these tangents; a zero one is along the chord. */
+/* Appends the curve from a to b, b included, with these tangents; a zero one is along the chord. */
 static bool add_piece(points *out, point a, point b, point ta, point tb)
 {
     point chord = point_sub(b, a);

@@ -146,7 +146,7 @@ static double middle(const dark_run *r)
     return (r->top + r->bottom - 1) / 2.0;
 }
 
-/* The slope of the chain at its end `last` (towards +x) or its start (towards -x), as dy per column outwards. */
+/* Gives the slope of the chain at its end `last` (towards +x) or its start (towards -x), as dy per column outwards. */
 static double slope_outwards(const line_finder *f, const dark_run *end, bool right)
 {
     const dark_run *v = f->runs.v, *r = end;
@@ -155,7 +155,7 @@ static double slope_outwards(const line_finder *f, const dark_run *end, bool rig
     return r == end ? 0 : (middle(end) - middle(r)) / abs(end->x - r->x);
 }
 
-/* The chain that carries on from `end`, as its run nearest to it; NULL: none. */
+/* Gives the chain that carries on from `end`, as its run nearest to it; NULL: none. */
 static const dark_run *next_piece(const line_finder *f, const dark_run *end, bool right)
 {
     const dark_run *v = f->runs.v, *best = NULL;
@@ -182,7 +182,7 @@ static void write_chain(const line_finder *f, const dark_run *first, const line_
     }
 }
 
-/* The other end of a chain, given one of them. */
+/* Gives the other end of a chain, given one of them. */
 static const dark_run *far_end(const line_finder *f, const dark_run *r, bool right)
 {
     if (!right)
@@ -192,7 +192,7 @@ static const dark_run *far_end(const line_finder *f, const dark_run *r, bool rig
     return r;
 }
 
-/* From the best chain outwards, piece by piece; `pieces` gets the first run of each. */
+/* Follows the line from its best run outwards, piece by piece; `pieces` gets the first run of each. */
 static bool collect(const line_finder *f, const dark_run *best, line_track *t, error *err)
 {
     ARRAY(const dark_run *) pieces = {0};

@@ -15,7 +15,7 @@ typedef struct {
     double score; /* darkness summed along it; 0: no line */
 } line_track;
 
-/* The darkest long line of `s` that is less than 45 degrees off the x axis. `unit` is 1/300 inch in pixels; `paper`
+/* Finds the darkest long line of `s` that is less than 45 degrees off the x axis. `unit` is 1/300 inch in pixels; `paper`
  * the grey of the paper. A scan without a line gives n = 0. The caller frees. */
 bool plb_line_find(const scan *s, double unit, int paper, line_track *t, error *err);
 void plb_line_track_free(line_track *t);

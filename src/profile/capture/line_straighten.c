@@ -55,7 +55,7 @@ static bool seen(const line_track *t, int k)
     return t->bottom[k] > t->top[k];
 }
 
-/* The middle of the dark run of each column; straight across gaps. */
+/* Computes the middle of the dark run of each column; straight across gaps. */
 static void rough_middles(const line_track *t, double *middle)
 {
     int last = 0;
@@ -74,7 +74,7 @@ static int compare_int(const void *a, const void *b)
     return *(const int *)a - *(const int *)b;
 }
 
-/* Where the rim starts: outside the edge of a line of median thickness. */
+/* Finds where the rim starts: outside the edge of a line of median thickness. */
 static bool place_rim(straightener *w, error *err)
 {
     const line_track *t = w->t;
@@ -97,7 +97,7 @@ static int grey_at(const straightener *w, int x, int y)
     return y < 0 || y >= w->s->height ? w->paper : w->s->grey[(size_t)y * (size_t)w->s->width + (size_t)x];
 }
 
-/* The centre of darkness of column k about row y. */
+/* Gives the centre of darkness of column k about row y. */
 static double centroid(const straightener *w, int k, double y)
 {
     double sum = 0, moment = 0;

@@ -36,7 +36,7 @@ static inline int strip_rows(const line_strip *s)
 {
     return 2 * s->reach + 1;
 }
-/* The grey `o` rows from the middle of column k, and the distance of that pixel from the centreline. */
+/* Gives the grey `o` rows from the middle of column k, and the distance of that pixel from the centreline. */
 static inline uint8_t strip_grey(const line_strip *s, int k, int o)
 {
     return s->grey[(size_t)k * (size_t)strip_rows(s) + (size_t)(o + s->reach)];

@@ -70,7 +70,7 @@ static bool settle_dpi(capture *c, const char *file, const scan *s, error *err)
     return true;
 }
 
-/* The line of the scan along x or, when the darker one runs the other way, of its transpose. */
+/* Finds the line of the scan along x or, when the darker one runs the other way, of its transpose. */
 static bool make_strip(const scan *s, double unit, int paper, line_strip *strip, error *err)
 {
     scan turned;
@@ -175,7 +175,7 @@ static void count_greys(const line_strip *s, profile *p)
     }
 }
 
-/* The section of all lines, each stretched to the same width at half depth, so that lines of several widths do not
+/* Computes the section of all lines, each stretched to the same width at half depth, so that lines of several widths do not
  * blur its flanks. Stretching the pooled section once more makes it `width` px wide exactly. */
 static void pool_section(const capture *c, double width, profile *p)
 {
@@ -192,7 +192,7 @@ static void pool_section(const capture *c, double width, profile *p)
     }
 }
 
-/* The width wanted, or else that of the lines, each weighted with its length. */
+/* Gives the width wanted, or else that of the lines, each weighted with its length. */
 static double pooled_width(const capture *c, double wanted_mm)
 {
     double sum = 0, columns = 0;
@@ -218,7 +218,7 @@ static double fixed(double value, double unit)
     return floor(value * unit + 0.5) / unit;
 }
 
-/* The median over the modes of all lines: a single line that slips does not tell. */
+/* Computes the median over the modes of all lines: a single line that slips does not tell. */
 static bool pool_hand(const capture *c, profile *p, error *err)
 {
     ARRAY(double) all = {0};

@@ -14,7 +14,7 @@
 #include <stdio.h>
 #include <string.h>
 
-/* What has to outlive a longjmp out of libpng. */
+/* These have to outlive a longjmp out of libpng. */
 typedef struct {
     const char *file;
     FILE *from;
@@ -87,7 +87,7 @@ static bool read_rgba(png_source *r, scan *s)
     return true;
 }
 
-/* The luma of ITU-R BT.601 in 1/1000, on white; exact for a grey that is opaque. */
+/* Gives the luma of ITU-R BT.601 in 1/1000, on white; exact for a grey that is opaque. */
 static uint8_t grey_of(const png_byte *rgba)
 {
     int luma = (299 * rgba[0] + 587 * rgba[1] + 114 * rgba[2] + 500) / 1000, alpha = rgba[3];

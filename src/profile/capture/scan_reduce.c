@@ -8,14 +8,14 @@
 
 #include <math.h>
 
-/* How much of pixel `i` lies between `from` and `to`. */
+/* Tells how much of pixel `i` lies between `from` and `to`. */
 static double overlap(int i, double from, double to)
 {
     double a = from > i ? from : i, b = to < i + 1 ? to : i + 1;
     return b > a ? b - a : 0;
 }
 
-/* The mean over the square of side `side` at (x, y). */
+/* Gives the mean over the square of side `side` at (x, y). */
 static double mean_of_square(const scan *s, double x, double y, double side)
 {
     double sum = 0, area = 0;

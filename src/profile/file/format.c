@@ -15,7 +15,7 @@ uint32_t plb_crc32(const unsigned char *data, size_t size)
     return ~crc;
 }
 
-/* The length of the UTF-8 sequence at `s` and its code point; 0 when malformed (RFC 3629: no overlong forms, no
+/* Gives the length of the UTF-8 sequence at `s` and its code point; 0 when malformed (RFC 3629: no overlong forms, no
  * surrogates, nothing above U+10FFFF). */
 static size_t decode(const unsigned char *s, size_t size, uint32_t *code)
 {

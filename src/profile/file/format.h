@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the reader and the writer of profile files share; pencil(5) is the description of the format.
+ * The reader and the writer of profile files share these; pencil(5) is the description of the format.
  */
 #ifndef PLB_PROFILE_FILE_FORMAT_H
 #define PLB_PROFILE_FILE_FORMAT_H

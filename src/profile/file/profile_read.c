@@ -17,7 +17,7 @@ typedef struct {
     const unsigned char *at, *end;
 } cursor;
 
-/* A little-endian number of `n` bytes. */
+/* Reads a little-endian number of `n` bytes. */
 static bool take(cursor *c, size_t n, uint64_t *value)
 {
     if ((size_t)(c->end - c->at) < n)

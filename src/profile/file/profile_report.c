@@ -185,7 +185,7 @@ bool plb_profile_print(const profile *p, FILE *to)
 
 /* ---- two profiles ---- */
 
-/* The earth mover's distance of two histograms: how many levels the greys of one have to move, on average, to give
+/* Gives the earth mover's distance of two histograms: how many levels the greys of one have to move, on average, to give
  * the other. In one dimension it is the area between the cumulative distributions. */
 static double earth_movers(const uint32_t a[PROFILE_GREYS], const uint32_t b[PROFILE_GREYS], int greys)
 {
@@ -198,7 +198,7 @@ static double earth_movers(const uint32_t a[PROFILE_GREYS], const uint32_t b[PRO
     return area;
 }
 
-/* The grey of a section at a distance in mm. */
+/* Gives the grey of a section at a distance in mm. */
 static double section_at(const profile *p, double distance)
 {
     double bin = distance / MM_PER_INCH * p->dpi / PROFILE_SECTION_STEP - 0.5;

@@ -27,7 +27,7 @@ static void put_bytes(buffer *b, const void *data, size_t n)
     b->bytes.n += n;
 }
 
-/* The `n` low bytes of `value`, lowest first. */
+/* Writes the `n` low bytes of `value`, lowest first. */
 static void put(buffer *b, uint64_t value, size_t n)
 {
     unsigned char byte[8];

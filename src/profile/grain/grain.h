@@ -52,9 +52,9 @@ bool plb_grain_lines_make(const line_strip strips[], size_t n, grain_lines *out,
 void plb_grain_lines_free(grain_lines *lines);
 /* section/section_mean.c: g->section. */
 void plb_grain_section(const grain_lines *lines, grain_model *g);
-/* The root of g->section so far from the centreline: where nothing deviates. */
+/* Gives the root of g->section so far from the centreline: where nothing deviates. */
 double plb_grain_root(const grain_model *g, double place);
-/* How fast its square changes: modes are in darkness, and work on the root by this much less. */
+/* Tells how fast its square changes: modes are in darkness, and work on the root by this much less. */
 double plb_grain_root_slope(double root);
 /* section/section_modes.c: g->mode, the coefficients of the columns; g->section becomes the square of the mean root. */
 bool plb_grain_modes(grain_lines *lines, grain_model *g, error *err);
@@ -63,7 +63,7 @@ void plb_grain_slow(grain_lines *lines, grain_model *g);
 /* score/score_table.c: the levels of the pixels and g->darkness; the normal score of a darkness at a level. */
 bool plb_grain_darkness(grain_lines *lines, grain_model *g, error *err);
 double plb_grain_score(const grain_model *g, double level, double dark);
-/* The score below which a pixel shows nothing; `least`: the relative darkness of the faintest grey. -3: it always shows. */
+/* Gives the score below which a pixel shows nothing; `least`: the relative darkness of the faintest grey. -3: it always shows. */
 double plb_grain_bare_score(const grain_model *g, double level, double least);
 /* score/scores.c: scores, roughness and own correlation of the lines, g->place_scale. */
 void plb_grain_scores(grain_lines *lines, grain_model *g);

@@ -21,7 +21,7 @@ static double predictive(double shares)
     return fmin((1 + shares) * freedom / (freedom - 2), MIN_FREEDOM / (MIN_FREEDOM - 2)); /* … so no more than here */
 }
 
-/* The figures of one line; `along`, `across`: what is added to its correlations, so that their means are the moments'. */
+/* Computes the figures of one line; `along`, `across`: what is added to its correlations, so that their means are the moments'. */
 static void figures(const grain_line *l, const grain_model *g, double along, double across, double out[GRAIN_LINE])
 {
     out[0] = log(l->depth);

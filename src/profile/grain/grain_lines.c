@@ -15,7 +15,7 @@
 #define DEPTH_REACH 1.25  /* px: the core of the thinnest lines */
 #define MIN_LINE 64       /* usable columns of a line */
 
-/* The darkness of the strip's pixels by distance. An empty bin has the value of the one before it. */
+/* Computes the darkness of the strip's pixels by distance. An empty bin has the value of the one before it. */
 static void fold(const grain_line *l, double mean[WIDTH_BINS])
 {
     double sum[WIDTH_BINS] = {0}, n[WIDTH_BINS] = {0};

@@ -89,7 +89,7 @@ void plb_eigen(double *a, double *vectors, int n)
 
 /* ---- Cholesky ---- */
 
-/* What is left of a[i][j] after the first j columns of the factor. */
+/* Gives the rest of a[i][j] after the first j columns of the factor. */
 static double remainder_at(const double *a, const double *l, int n, int i, int j)
 {
     double x = a[i * n + j];

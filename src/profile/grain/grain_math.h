@@ -17,7 +17,7 @@ void plb_smooth_folded(const double in[], double out[], int n);
 void plb_eigen(double *a, double *vectors, int n);
 /* Solves a x = b for a positive definite `a`; both are overwritten, b with x. False: `a` is not. */
 bool plb_solve(double *a, double *b, int n);
-/* The lower triangle l with l lᵀ = a for a positive semi-definite `a` of any rank. */
+/* Computes the lower triangle l with l lᵀ = a for a positive semi-definite `a` of any rank. */
 void plb_semi_cholesky(const double *a, double *l, int n);
 
 #endif

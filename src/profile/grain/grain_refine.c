@@ -33,7 +33,7 @@ static float towards(float now, float measured, float drawn, double share)
     return (float)(now + share * (measured - drawn));
 }
 
-/* Of a figure that is still as measured. */
+/* Corrects a figure that is still as measured. */
 static float corrected(float was, float drawn)
 {
     return towards(was, was, drawn, SHARE);
@@ -82,13 +82,13 @@ static void correct(grain_model *g, const grain_model *drawn)
     for (int i = 0; i < 3; i++)
         g->line_mean[i] = corrected(was.line_mean[i], drawn->line_mean[i]);
     g->line_mean[4] = corrected(was.line_mean[4], drawn->line_mean[4]);
-    /* Of the correlation along, a line's own part is what it differs from the mean by: the chain has the mean. */
+    /* A line's own part of the correlation along is the line's difference from the mean: the chain has the mean. */
     g->chain_high = towards(was.chain_high, was.line_mean[3], drawn->line_mean[3], SHARE);
     g->chain_low = towards(was.chain_low, was.line_mean[3], drawn->line_mean[3], SHARE);
     plb_grain_clamp(g);
 }
 
-/* The strip of one picture; one without a line has no columns. */
+/* Computes the strip of one picture; one without a line has no columns. */
 static bool take_strip(uint8_t *grey, line_strip *strip, error *err)
 {
     const scan s = {SAMPLE_WIDTH, SAMPLE_HEIGHT, PAPER_PX_PER_INCH, grey};

@@ -45,23 +45,23 @@ extern const arm_model plb_arm_hand, plb_arm_jerk, plb_arm_spring, plb_arm_logno
 /* movement.c: the control points of a line of `length` mm, whose last point lies `way` from its first (001 section 3.1), by
  * `arm`. Their count, at most CONTROLS_MAX. */
 size_t plb_movement_controls(const arm_model *arm, double length, point way, uint64_t identity, const stroke_options *o, control out[CONTROLS_MAX]);
-/* The share of the way that an arm has done at the share tau of the time. */
+/* Gives the share of the way that an arm has done at the share tau of the time. */
 double plb_arm_progress(const arm_model *arm, uint64_t identity, const stroke_options *o, double tau);
-/* The largest deviation D in force for a line of `length` mm, mm. */
+/* Gives the largest deviation D in force for a line of `length` mm, mm. */
 double plb_arm_squiggle(const arm_model *arm, double length, const stroke_options *o);
 
-/* What arms have in common. The share of the way that the movement of least jerk has done. */
+/* Several arms share the functions below. The share of the way that the movement of least jerk has done. */
 double plb_minimum_jerk(uint64_t key, double tau);
 /* Deviations that do not depend on each other, each uniform in ±D, less near the ends. */
 void plb_deviate_freely(const movement *m, control *c, size_t n);
-/* The largest deviation at control point k of n. */
+/* Gives the largest deviation at control point k of n. */
 double plb_deviation_limit(const movement *m, const control *c, size_t k, size_t n);
-/* A bow of the whole movement, `bow` mm high: a parabola, which is an arc of a circle nearly. */
+/* Adds a bow of the whole movement, `bow` mm high: a parabola, which is an arc of a circle nearly. */
 void plb_add_bow(control *c, size_t n, double bow);
 
-/* How far an arc of Plamondon's bows out, as a share -1 to 1 of D (arm_lognormal.c). */
+/* Tells how far an arc of Plamondon's bows out, as a share -1 to 1 of D (arm_lognormal.c). */
 double plb_lognormal_bow(uint64_t key);
-/* How far the movement of least change of torque bows out, mm to the left of `way` (arm_torque.c). */
+/* Tells how far the movement of least change of torque bows out, mm to the left of `way` (arm_torque.c). */
 double plb_torque_bow(point way, handedness handed);
 
 #endif

@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-/* The modes, and where the model is measured what depends on direction and ends: the papers know neither. */
+/* Gives the hand of a stroke: the modes and, if the model is measured, all that depends on direction and ends. The papers know neither. */
 static hand hand_of(const base_line *b, const stroke *s, double length, const stroke_options *o, bool measured)
 {
     hand h = plb_hand(length, s->closed, s->identity, o);

@@ -26,7 +26,7 @@
 #define BRAKE_SPREAD 0.05
 #define SECONDS 0.5
 
-/* The way that one system alone has done: the lognormal's share. */
+/* Gives the way that one system alone has done: the lognormal's share. */
 static double share(double t, double mu, double sigma)
 {
     return t > 0 ? plb_normal_share((log(t) - mu) / sigma) : 0;

@@ -14,8 +14,8 @@
  * The four factors were fitted to the optimised movements of the arm with the segments of the paper (its table 1: lengths
  * .25 and .35 m, masses .9 and 1.1 kg, centres of mass at .11 and .15 m, inertias .065 and .1 kg m^2, viscosities .08
  * kg m^2/s), of 10 cm in half a second about a point .15 m to the left of the right shoulder and .35 m before it, where a sheet
- * lies. For movements of 5 to 20 cm what is left is below a tenth of the largest bow; test_arms.c does the optimisation
- * anew and compares. Along the way the movement is, to the same order, that of least jerk.
+ * lies. For movements of 5 to 20 cm what is left is below a tenth of the largest bow; test_arms.c repeats the optimisation
+ * and compares. Along the way the movement is, to the same order, that of least jerk.
  */
 #include "base/number/units.h"
 #include "stroke/arm/arm.h"
@@ -40,7 +40,7 @@ double plb_torque_bow(point way, handedness handed)
     return mirror * reach * reach * form;
 }
 
-/* The largest deviation D that leaves the bow as the model has it: a larger or smaller one makes the bow so many times as high. */
+/* The largest deviation D that leaves the bow as high as the model's: a larger or smaller one makes the bow so many times as high. */
 #define SQUIGGLE_PX 5 /* as jerk */
 
 static void deviate_by_torque(const movement *m, control *c, size_t n)

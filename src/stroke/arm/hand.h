@@ -26,14 +26,14 @@ typedef struct {
 hand plb_hand(double length, bool closed, uint64_t identity, const stroke_options *o);
 /* On a curve the modes go by how far it reaches, `extent` in mm, instead of by its length. */
 void plb_hand_reach(hand *h, double extent);
-/* How far off the line the hand is at `along` mm from its start: mm to the left of the direction. */
+/* Tells how far off the line the hand is at `along` mm from its start: mm to the left of the direction. */
 double plb_hand_off(const hand *h, double along);
 
-/* Whether a hand draws a line from its last point to its first; `way` leads from first to last (hand_direction.c). */
+/* Tells whether a hand draws a line from its last point to its first; `way` leads from first to last (hand_direction.c). */
 bool plb_hand_backward(point way, handedness handed);
-/* What depends on the direction in which a line is drawn. `free_end`: no other line goes on where it ends. */
+/* Sets all that depends on the direction in which a line is drawn. `free_end`: no other line goes on where it ends. */
 void plb_hand_direct(hand *h, point way, bool free_end, const stroke_options *o);
-/* The pressure at the beginning and at the end of the movement, times the usual. */
+/* Computes the pressure at the beginning and at the end of the movement, times the usual. */
 void plb_hand_pressure(point way, double length, const stroke_options *o, float *begin, float *end);
 /* Hooks at the ends that are free (hand_hooks.c). */
 void plb_hand_hooks(hand *h, bool free_first, bool free_last, uint64_t identity, const stroke_options *o);

@@ -15,7 +15,7 @@
 
 #include <math.h>
 
-/* A mode is at most this many times its median: a hand that slips farther starts anew (90th percentile of the extreme measured:
+/* A mode is at most this many times its median: a hand that slips farther starts again (90th percentile of the extreme measured:
  * 2.2 times the median). */
 #define LARGEST_OF_MEDIAN 2.2
 
@@ -41,7 +41,7 @@ static double median_percent(int k)
     return k < HAND_MODES ? plb_hand_median_percent[k] : plb_hand_median_percent[HAND_MODES - 1] * pow((double)HAND_MODES / (k + 1), FALL_OFF);
 }
 
-/* How many modes a hand makes: the first ones of whatever length, a closed line's in pairs. */
+/* Tells how many modes a hand makes: the first ones of whatever length, a closed line's in pairs. */
 static int waves_of(double length, bool closed)
 {
     double waves = closed ? 2 * (floor(length / HAND_SMOOTH_BELOW_MM) - 1) : floor(2 * length / HAND_SMOOTH_BELOW_MM);
@@ -116,7 +116,7 @@ static double closed_modes(const hand *h, double x)
     return sum;
 }
 
-/* What the ends and the direction add. */
+/* Adds up the deviations that the ends and the direction make. */
 static double asides(const hand *h, double along)
 {
     double u = h->backward ? 1 - along / h->length : along / h->length, to_last = h->length - along;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stroke, stage 1: where the arm passes (001 section 3.1; thesis section 3.2), as far as all arms have it in common.
+ * Stroke, stage 1: where the arm passes (001 section 3.1; thesis section 3.2), as far as all arms share the movement.
  * Input: the length of the line, mm, and the address of its random numbers. Output: control points in the line's own
  * frame, mm.
  *

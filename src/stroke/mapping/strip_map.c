@@ -117,7 +117,7 @@ static void resolve_single(uint8_t *restrict from, uint8_t *restrict grey, int n
         }
 }
 
-/* The means of the pixels' samples, as grey; row y of the patch, and clears the samples. */
+/* Computes the means of the pixels' samples, as grey; row y of the patch, and clears the samples. */
 static void resolve(mapper *m, int y, uint8_t *grey)
 {
     int x0 = m->p.from[y], x1 = m->p.to[y], n = m->samples;
@@ -191,7 +191,7 @@ static bool begin_next(mapper *m, pixel_box next)
 
 /* ---- from pieces to samples ---- */
 
-/* The darker of both, for ROWS_TOGETHER samples; `mask`: 0 leaves a sample as it is. */
+/* Takes the darker of both, for ROWS_TOGETHER samples; `mask`: 0 leaves a sample as it is. */
 static void darken_lanes(uint8_t *restrict to, const uint8_t *restrict dark, const uint8_t *restrict mask)
 {
     for (int i = 0; i < ROWS_TOGETHER; i++) {
@@ -208,7 +208,7 @@ static void darken(uint8_t *to, const uint8_t *dark, int n)
         darken_lanes(to, dark, masks + (n < ROWS_TOGETHER ? ROWS_TOGETHER - n : 0));
 }
 
-/* The rows that wait get their darkness. */
+/* Gives the rows that wait their darkness. */
 static void shade_asked(mapper *m)
 {
     asked_rows *q = &m->asked;
@@ -263,7 +263,7 @@ static void map_rows(mapper *m, const piece_frame *f, piece_rows *r, int row)
     }
 }
 
-/* The piece's samples into the patch, which covers it. */
+/* Puts the piece's samples into the patch, which covers the piece. */
 static void map_piece(mapper *m, const piece *k)
 {
     piece_frame f = plb_piece_frame(k, m->samples, m->strip_px);
@@ -342,7 +342,7 @@ static bool fits(pixel_box b)
     return b.x1 - b.x0 <= PATCH_SIDE && b.y1 - b.y0 <= PATCH_SIDE;
 }
 
-/* The papers' texture: each piece goes into the patch at once, which grows to the right and down only. */
+/* Maps the papers' texture: each piece goes into the patch at once, which grows to the right and down only. */
 static bool add_at_once(mapper *m, const piece *k)
 {
     pixel_box both = unite(m->in, k->in);
@@ -356,7 +356,7 @@ static bool add_at_once(mapper *m, const piece *k)
     return true;
 }
 
-/* The pieces that wait become a patch. */
+/* Makes a patch of the pieces that wait. */
 static bool draw_waiting(mapper *m)
 {
     if (m->n == 0)
@@ -393,7 +393,7 @@ static bool add_windows(mapper *m, piece k)
     return true;
 }
 
-/* Whether the samples between number i and number j of the path lie close to the line from one to the other. */
+/* Tells whether the samples between number i and number j of the path lie close to the line from one to the other. */
 static bool is_straight(const path_sample *v, size_t i, size_t j, double stray)
 {
     point d = point_sub(v[j].at, v[i].at);
@@ -404,7 +404,7 @@ static bool is_straight(const path_sample *v, size_t i, size_t j, double stray)
     return true;
 }
 
-/* The sample that ends the piece which begins at sample i. */
+/* Gives the sample that ends the piece which begins at sample i. */
 static size_t end_of_piece(const mapper *m, const path_samples *path, size_t i)
 {
     size_t j = i + 1;

@@ -20,7 +20,7 @@ piece_frame plb_piece_frame(const piece *k, int samples, double strip_px)
     return (piece_frame){k, samples, strip_px, k->in.x0 + step / 2, step, -k->t.y * step};
 }
 
-/* What the loops below need of a piece, where nothing that they write can change it. */
+/* The loops below read these terms of a piece, kept where nothing that the loops write can change them. */
 typedef struct {
     double ax, bx, step, us, left, right; /* a sample on: a and b, times the step; across */
     double s0, length;                    /* strip pixels */
@@ -56,7 +56,7 @@ double plb_piece_along(const piece_frame *f, const piece_rows *r, int j, int sam
     return along(&t, r->a[j], r->b[j], sample);
 }
 
-/* What the banner of strip_map.c calls a, b and across, at sample 0 of each row. */
+/* Computes a, b and across, as the banner of strip_map.c defines them, at sample 0 of each row. */
 PLB_SIMD_CLONES static void place_rows(const piece_frame *f, int from, piece_rows *r)
 {
     const piece *k = f->k;

@@ -45,9 +45,9 @@ typedef struct {
 
 /* Rows of samples from number `from` of the piece's box on, `n` of them, at most PIECE_ROWS. */
 void plb_piece_rows(const piece_frame *f, int from, int n, piece_rows *r);
-/* Whether the piece owns a sample of row j. */
+/* Tells whether the piece owns a sample of row j. */
 bool plb_piece_owns(const piece_frame *f, const piece_rows *r, int j, int sample);
-/* How far along the line it lies, strip pixels. */
+/* Tells how far along the line it lies, strip pixels. */
 double plb_piece_along(const piece_frame *f, const piece_rows *r, int j, int sample);
 
 #endif

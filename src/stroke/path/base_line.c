@@ -31,7 +31,7 @@ double plb_base_extent(const base_line *b)
     return plb_point_length((point){around.x1 - around.x0, around.y1 - around.y0});
 }
 
-/* The direction at a vertex: between its two segments'. */
+/* Gives the direction at a vertex: between its two segments'. */
 static point vertex_tangent(const base_line *b, size_t i)
 {
     point before = {0, 0}, after = {0, 0};
@@ -80,7 +80,7 @@ static point unit_between(point a, point b, double length)
     return point_scale(point_sub(b, a), 1 / length);
 }
 
-/* The direction between two unit vectors, one of which may be zero: an end. */
+/* Gives the direction between two unit vectors, one of which may be zero: an end. */
 static point between(point before, point after)
 {
     point sum = point_add(before, after);

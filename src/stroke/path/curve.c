@@ -63,7 +63,7 @@ static bool add_place(course *c, point at)
     return array_push(c, p);
 }
 
-/* Where a closed base line's drawing begins: its vertex farthest in a direction near that of the page's top. */
+/* Finds where a closed base line's drawing begins: its vertex farthest in a direction near that of the page's top. */
 static size_t find_beginning(const base_line *b, uint64_t key)
 {
     double angle = TOP_WITHIN * (2 * random_unit(key, 0) - 1), best = -1e300;
@@ -95,7 +95,7 @@ static bool go_round(course *c, const base_line *b, size_t from, double length, 
     return true;
 }
 
-/* The spacing that the bend at an inner place asks for. */
+/* Gives the spacing that the bend at an inner place asks for. */
 static double spacing_at(const course_place *p)
 {
     point in = point_sub(p->at, p[-1].at), out = point_sub(p[1].at, p->at);

@@ -30,7 +30,7 @@ static double catmull_rom(const control k[4], double along)
     return k[1].off * v * v * (1 + 2 * u) + k[2].off * u * u * (3 - 2 * u) + h * u * v * (slope1 * v - slope2 * u);
 }
 
-/* The control points with one more at each end, so that the spline reaches the ends: reflected, or on a closed line
+/* Computes the control points with one more at each end, so that the spline reaches the ends: reflected, or on a closed line
  * those from the other side of the joint, so that it runs on smoothly. */
 static void extend(const control *c, size_t n, bool closed, control out[CONTROLS_MAX + 2])
 {
@@ -71,7 +71,7 @@ static size_t count_samples(const stroke *s, double length)
     return n < FEWEST_SAMPLES ? FEWEST_SAMPLES : (size_t)n;
 }
 
-/* The samples of one spline piece between control points 1 and 2 of c[0..3]. */
+/* Computes the samples of one spline piece between control points 1 and 2 of c[0..3]. */
 static bool sample_piece(base_line *b, const control c[4], double length, size_t wanted, path_samples *out)
 {
     double share = fabs(c[2].along - c[1].along) / length;

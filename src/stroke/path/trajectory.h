@@ -36,11 +36,11 @@ typedef struct {
 /* base_line.c */
 base_line plb_base_line(const stroke_list *list, const stroke *s);
 double plb_base_length(const base_line *b);
-/* The way from its first point to its last, mm. */
+/* Gives the way from its first point to its last, mm. */
 point plb_base_way(const base_line *b);
-/* The diagonal of the box around it: of a straight line, its length. */
+/* Gives the diagonal of the box around it: of a straight line, its length. */
 double plb_base_extent(const base_line *b);
-/* The place `along` mm from the start and `off` mm to the left of the direction there; moves the cursor. */
+/* Gives the place `along` mm from the start and `off` mm to the left of the direction there; moves the cursor. */
 point plb_base_place(base_line *b, double along, double off);
 /* Arc lengths and tangents of samples whose places are known; samples that coincide with the one before are dropped. */
 void plb_path_measure(path_samples *out, bool closed);

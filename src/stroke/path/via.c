@@ -42,7 +42,7 @@ static sides apply(block m, sides r)
     return (sides){point_add(point_scale(r.j, m.vj), point_scale(r.s, m.aj)), point_add(point_scale(r.j, m.vs), point_scale(r.s, m.as))};
 }
 
-/* The row of place v[0]: the place before it is v[-1]. */
+/* Computes the row of place v[0]: the place before it is v[-1]. */
 static void row_of(const via *v, block *before, block *own, block *after, sides *r)
 {
     double l = 1 / v[-1].duration, n = 1 / v->duration, l2 = l * l, n2 = n * n, l3 = l2 * l, n3 = n2 * n;

@@ -34,17 +34,17 @@ struct line_model {
 /* models.c: the table. Row i, NULL past the last; the row of that name, NULL when there is none. */
 const line_model *plb_model_at(size_t i);
 const line_model *plb_model_lookup(const char *name);
-/* The model and the arm that the options mean. */
+/* Gives the model and the arm that the options mean. */
 const line_model *plb_model_of(const stroke_options *o);
 const arm_model *plb_arm_of(const stroke_options *o);
-/* How hard stroke `s` is pressed, times the usual. */
+/* Tells how hard stroke `s` is pressed, times the usual. */
 static inline double stroke_pressure(const stroke *s, const stroke_options *o)
 {
     double own = s->style.pressure > 0 ? (double)s->style.pressure : 1;
     return o->pressure > 0 ? own * o->pressure : own;
 }
 
-/* The pencils of the papers' model and of the graphite model on a paper, as `prepare` gives them. */
+/* Gives the pencils of the papers' model and of the graphite model on a paper, as `prepare` gives them. */
 pencil *plb_pencil_new(const profile *p, error *err);
 pencil *plb_pencil_on_paper(const profile *p, paper_kind on, error *err);
 void plb_pencil_free(pencil *p);

@@ -39,7 +39,7 @@ static void solve_column(const double response[GRAIN_LAGS][GRAIN_LAGS], const do
         out[i + from] = good ? b[i] : 0;
 }
 
-/* The spectrum of an array that is even along both axes, given by its first lags. */
+/* Computes the spectrum of an array that is even along both axes, given by its first lags. */
 static void spectrum(const double covariance[GRAIN_LAGS][GRAIN_ASIDE], const double cosine[SPECTRUM_SIDE], double power[SPECTRUM_SIDE][SPECTRUM_SIDE])
 {
     for (int u = 0; u < SPECTRUM_SIDE; u++)
@@ -51,7 +51,7 @@ static void spectrum(const double covariance[GRAIN_LAGS][GRAIN_ASIDE], const dou
         }
 }
 
-/* The tap d columns and c rows from the middle, not normalised. */
+/* Gives the tap d columns and c rows from the middle, not normalised. */
 static double tap(const double power[SPECTRUM_SIDE][SPECTRUM_SIDE], const double cosine[SPECTRUM_SIDE], int d, int c)
 {
     double sum = 0;
@@ -61,7 +61,7 @@ static double tap(const double power[SPECTRUM_SIDE][SPECTRUM_SIDE], const double
     return sum;
 }
 
-/* The middle of the root of the spectrum, with unit energy. */
+/* Computes the middle of the root of the spectrum, with unit energy. */
 static void root_filter(const double covariance[GRAIN_LAGS][GRAIN_ASIDE], float out[GRAIN_TAPS][GRAIN_TAPS])
 {
     double cosine[SPECTRUM_SIDE], power[SPECTRUM_SIDE][SPECTRUM_SIDE], h[GRAIN_TAPS][GRAIN_TAPS], energy = 0;

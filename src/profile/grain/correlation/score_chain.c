@@ -20,7 +20,7 @@
 #define MAX_PERSISTENT 0.8
 #define MEMORY 12            /* columns after which an innovation is forgotten */
 
-/* The chain's part of the correlation with the next column. The rest is the filter's. */
+/* Gives the chain's part of the correlation with the next column. The rest is the filter's. */
 static double mean_of(const grain_moments *m)
 {
     double next = m->correlation[1][0], beyond = fmax(0, next - LONG_MEAN);
@@ -51,8 +51,8 @@ typedef struct {
     double high, low; /* mean of the product so far where the newest column is in this state, times the state's share */
 } chain_mean;
 
-/* What the innovation of the column `age` before has passed through in column `column` before (0: the newest), for one
- * coefficient: it comes in with sqrt(1 - a^2) and is multiplied by every later one. */
+/* Gives the factor by which column number `column` before the newest (0: the newest) multiplies the innovation of the column `age` before, for one
+ * coefficient: the innovation comes in with sqrt(1 - a^2) and is multiplied by every later coefficient. */
 static double passage(double a, int column, int age)
 {
     return column > age ? 1 : column == age ? sqrt(1 - a * a) : a;

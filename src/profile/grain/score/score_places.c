@@ -37,7 +37,7 @@ static double mean_below(double z)
     return -density(z) / fmax(plb_normal_share(z), 1e-6);
 }
 
-/* The squares of the coefficients c_1 … of a normal number that counts as its mean below `limit`. */
+/* Computes the squares of the coefficients c_1 … of a normal number that counts as its mean below `limit`. */
 static void expand(double limit, double squares[DEGREES])
 {
     double c[DEGREES] = {0}, low = mean_below(limit);
@@ -54,7 +54,7 @@ static void expand(double limit, double squares[DEGREES])
         squares[k] = c[k] * c[k];
 }
 
-/* The correlation of normal scores whose censored ones correlate by r. */
+/* Gives the correlation of normal scores whose censored ones correlate by r. */
 static double uncensored(double r, double limit)
 {
     double squares[DEGREES], low = -1, high = 1, total = 0;
@@ -72,7 +72,7 @@ static double uncensored(double r, double limit)
 
 /* ---- sums by place ---- */
 
-/* Of the pairs of one distance whose middle lies at one place. */
+/* Sums over the pairs of one distance whose middle lies at one place. */
 typedef struct {
     double near, first, second, n; /* sum of products; of squares of either */
     double distant, first_distant, m;  /* of pairs far apart along the line */
@@ -88,7 +88,7 @@ static void add_pair(pair_sums *s, const double a[2], const double b[2])
     s->n++;
 }
 
-/* The censored score of a pixel and its limit. */
+/* Computes the censored score of a pixel and its limit. */
 static bool score_at(const grain_line *l, const grain_model *g, int k, int o, double out[2])
 {
     int i = k * GRAIN_ROWS + o;
@@ -142,7 +142,7 @@ static double correlation_of(const pair_sums *s, double slow)
     return uncensored(clamp((r - slow) / fmax(1 - slow, 0.1), -1, 1), share > 1e-4 ? plb_normal_quantile(fmin(share, 0.99)) : -EXPANSION_END);
 }
 
-/* What places correlate beyond the core; smoothed, and beyond the last place with enough pairs as there. */
+/* Finds by how much places correlate beyond the core; smoothed, and beyond the last place with enough pairs as there. */
 static void relate(const pair_sums by_place[GRAIN_PLACES], const pair_sums along[GRAIN_PLACES], const pair_sums *core, float out[GRAIN_PLACES])
 {
     double weighted[GRAIN_PLACES], weight[GRAIN_PLACES], smooth[GRAIN_PLACES], weights[GRAIN_PLACES];

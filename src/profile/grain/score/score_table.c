@@ -70,7 +70,7 @@ static size_t count_within(const pixels *p, double centre, double reach)
     return n;
 }
 
-/* The darknesses of the pixels about level `row`, sorted; how many. */
+/* Gives the darknesses of the pixels about level `row`, sorted; how many. */
 static size_t choose(pixels *p, int row)
 {
     double c = plb_grain_levels[row];

@@ -69,7 +69,7 @@ static void divide_by_place(grain_line *l, const grain_model *g)
     }
 }
 
-/* The mean product of scores so many columns and rows apart, divided by the mean square. */
+/* Gives the mean product of scores so many columns and rows apart, divided by the mean square. */
 static double own_correlation(const grain_line *l, int columns, int rows)
 {
     double sum = 0, n = 0, squares = 0, m = 0;

@@ -37,7 +37,7 @@ static void spline(const float y[GRAIN_ROWS], double m[GRAIN_ROWS])
         m[i] -= factor[i] * m[i + 1];
 }
 
-/* The darkness of column k at the places of the modes, by a cubic: straight lines would blur the flanks. */
+/* Computes the darkness of column k at the places of the modes, by a cubic: straight lines would blur the flanks. */
 static void column_at_places(const grain_line *l, int k, double v[PLACES])
 {
     const float *t = l->place + k * GRAIN_ROWS, *y = l->dark + k * GRAIN_ROWS;
@@ -69,7 +69,7 @@ static void smooth_column(const grain_line *l, int k, const double *weight, cons
         out[p] /= weights;
 }
 
-/* What is done with the root of each usable column, smoothed, less the base. */
+/* A visitor is shown the root of each usable column, smoothed, less the base. */
 typedef void visitor(grain_line *l, int k, const double smoothed[PLACES], void *closure);
 
 static bool visit(grain_line *l, const double base[PLACES], visitor *visitor_of, void *closure)
@@ -160,7 +160,7 @@ static void take_mode(const double *vectors, int c, int i, grain_model *g)
         g->mode[i][p] = (float)(sign * (vectors[p * PLACES + c] + parity * vectors[(PLACES - 1 - p) * PLACES + c]) / 2);
 }
 
-/* The greatest eigenvalues first; what little data cannot tell stays zero. */
+/* Sorts the greatest eigenvalues first; what little data cannot tell stays zero. */
 static void take_modes(double *k, const double *vectors, double columns, grain_model *g)
 {
     for (int i = 0; i < GRAIN_MODES && i < columns / COLUMNS_A_MODE; i++) {

@@ -28,7 +28,7 @@ static double smoothed_covariance(double length, int lag)
     return sum / weights;
 }
 
-/* The length whose correlations are nearest those measured. */
+/* Gives the length whose correlations are nearest those measured. */
 static double length_of(const double correlation[LAGS])
 {
     double best = lengths[0], least = HUGE_VAL;
@@ -55,7 +55,7 @@ static void average(grain_line *l)
     }
 }
 
-/* The mean product of deviations `lag` columns apart, times the columns of the line. */
+/* Gives the mean product of deviations `lag` columns apart, times the columns of the line. */
 static double products(const grain_line *l, int mode, int lag)
 {
     double sum = 0, n = 0;

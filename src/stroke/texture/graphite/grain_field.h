@@ -37,7 +37,7 @@ typedef struct {
 } grain;
 void plb_grain_free(grain *g);
 
-/* What happens at the two ends of a stroke: the pencil is set down, lifted, goes on round a corner, or meets its own
+/* At an end of a stroke the pencil is set down, is lifted, goes on round a corner, or meets its own
  * beginning (both ends of a closed stroke). */
 typedef enum { GRAIN_START, GRAIN_LEAVE, GRAIN_CORNER, GRAIN_JOINT } grain_end;
 typedef struct {

@@ -11,7 +11,7 @@
 
 #include <math.h>
 
-/* The quantiles of the normal distribution at the middles of GRAIN_NORMALS equal shares. From one to the next by a step of
+/* Computes the quantiles of the normal distribution at the middles of GRAIN_NORMALS equal shares. From one to the next by a step of
  * the second order and one of Newton's. */
 static void tabulate_normals(grain_tables *t)
 {

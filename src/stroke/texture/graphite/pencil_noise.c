@@ -60,7 +60,7 @@ static void filter_sequence(const float white[NOISE_LENGTH], const float tap[GRA
 
 #define CHAIN_MAX 0.93 /* as in the capture */
 
-/* The correlation that a filter of the profile and the chain give together. */
+/* Computes the correlation that a filter of the profile and the chain give together. */
 static void correlation_of(const float tap[GRAIN_TAPS][GRAIN_TAPS], double response[GRAIN_LAGS][GRAIN_LAGS], double out[GRAIN_LAGS][GRAIN_ASIDE])
 {
     double own[GRAIN_LAGS][GRAIN_ASIDE] = {{0}};
@@ -82,7 +82,7 @@ static double of_paper(const paper *p, int d, int c)
     return d < PAPER_LAGS && c < PAPER_LAGS ? p->correlation[d] * p->correlation[c] : 0;
 }
 
-/* What is left for the stroke's own grain when the paper has its share: both together correlate as captured. */
+/* Leaves the stroke's own grain the correlation beyond the paper's share: both together correlate as captured. */
 static void without_paper(const paper *p, double correlation[GRAIN_LAGS][GRAIN_ASIDE])
 {
     for (int d = 0; d < GRAIN_LAGS; d++)
@@ -131,7 +131,7 @@ void plb_pencil_tabulate_noise(grain_tables *t, const grain_model *g)
 #define PATCH_COLUMNS 7.0
 #define MAX_NOISE_ACROSS 0.7 /* by three rows neighbours cannot correlate by more than the root of a half */
 
-/* Of the three rows that make one of amplitudes, the weight of the outer ones, so that neighbours correlate by r. */
+/* Gives the weight of the outer two of the three rows that make a row of amplitudes, so that neighbours correlate by r. */
 static double weight_beside(double r)
 {
     return (1 - sqrt(1 - 2 * r * r)) / (2 * r);

@@ -26,7 +26,7 @@ _Static_assert(STRIDE_MAX <= NOISE_PAD, "a stroke's rows must fit into the noise
 /* Half a kilometre of pencil, in columns. */
 #define COLUMNS_MAX 6000000
 
-/* What one stroke draws once. */
+/* The figures that a stroke draws once. */
 typedef struct {
     double depth, width, roughness, along, across;
     double mode[GRAIN_MODES];
@@ -42,8 +42,8 @@ void plb_grain_free(grain *g)
 
 /* ---- pressure ---- */
 
-/* What pressure does, as powers of it: to the expected darkness at a place, which in light lines leaves only the peaks; to
- * the darkness of what is covered; to the width; to the spread of the scores, as heavy lines fill the valleys. Chosen by
+/* Pressure acts by these powers: on the expected darkness at a place, which in light lines leaves only the peaks; on
+ * the darkness of the covered pixels; on the width; on the spread of the scores, as heavy lines fill the valleys. Chosen by
  * eye, so that the twofold range of darkness in one hand's lines (w0002 of hdBPMN: centres of 111 to 175) is that of half
  * to twice the usual pressure. (Sousa & Buchanan 2000 have the same in words.) */
 typedef struct {
@@ -109,7 +109,7 @@ static double normal_at(const grain_tables *t, uint64_t key, uint64_t index)
 #define DEPTH_SPREAD 0.5
 #define WIDTH_SPREAD 0.4
 
-/* How far figure number i of a line is off its mean, where the profile has it `x` off: of few lines softly bounded, for many lines
+/* Tells how far figure number i of a line is off its mean, where the profile has it `x` off: of few lines softly bounded, for many lines
  * at the bound would look alike. */
 static double within_spread(const profile *p, int figure, double x)
 {
@@ -207,8 +207,8 @@ static void make_section(grain *g, const line_figures *f, const grain_ends *ends
 
 /* ---- 3: the grain ---- */
 
-/* What the rows of a stroke differ by: 16 bits each, of a unit that the loops below know. By the state of the chain, low, high
- * and first column: how much of the column before stays, how much is new, of 32768. */
+/* The rows of a stroke differ by these figures: 16 bits each, of a unit that the loops below know. For each state of the chain (low, high,
+ * first column): how much of the column before stays, how much is new, of 32768. */
 enum { CHAIN_FIRST = 2, CHAIN_STATES };
 typedef struct {
     int16_t keep[CHAIN_STATES][STRIDE_MAX], fresh[CHAIN_STATES][STRIDE_MAX];
@@ -267,7 +267,7 @@ static inline lanes noise_at(const int16_t *const from[GRAIN_TAPS], ptrdiff_t at
     return simd16_at(from[0] + at) + simd16_at(from[1] + at) + simd16_at(from[2] + at) + simd16_at(from[3] + at) + simd16_at(from[4] + at);
 }
 
-/* The next column of the chain, into `field`, and the same as bytes, with its place's and its patch's spread, into `out`. Outer
+/* Computes the next column of the chain, into `field`, and the same as bytes, with its place's and its patch's spread, into `out`. Outer
  * rows' innovations go over into the same noise through another filter, which lies `to_outer` beyond the inner one's. */
 static void make_column(const grain_rows *w, int state, int rows, const int16_t *const from[GRAIN_TAPS], ptrdiff_t to_outer,
                         const int8_t *amplitude, int16_t *field, int8_t *out)
@@ -283,7 +283,7 @@ static void make_column(const grain_rows *w, int state, int rows, const int16_t 
     }
 }
 _Static_assert(NOISE_UNIT / FIELD_UNIT == 1 << 6 && SPREAD_UNIT == 1 << 14 && AMPLITUDE_UNIT == 1 << 6 && GRAIN_TAPS == 5,
-               "as the loops above have it");
+               "the loops above shift by these");
 
 static int class_of(double across)
 {
@@ -394,7 +394,7 @@ static void fold_joint(grain *g, int fold)
 
 /* ---- all of it ---- */
 
-/* What the stroke's mean pressure does to the line as a whole. None is deeper than the darkest hundredth of the pencil's usual
+/* Applies the stroke's mean pressure to the line as a whole. No line is deeper than the darkest hundredth of the pencil's usual
  * ones: then its valleys still show. */
 static void press(grain *g, line_figures *f, double pressure)
 {
@@ -407,7 +407,7 @@ static void press(grain *g, line_figures *f, double pressure)
     g->weight_paper = (int)floor(sqrt(on->share) * r.spread * 256 + 0.5);
 }
 
-/* The line's own figures, and what follows from them for its places. */
+/* Computes the line's own figures, and what follows from them for its places. */
 static void set_line(grain *g, const line_figures *f, grain_ends ends)
 {
     const grain_model *m = &g->pencil->profile->grain;

@@ -51,7 +51,7 @@ static inline int32_t within(int32_t v, int32_t high)
     return v > high ? high : v;
 }
 
-/* The whole part of what is cut to 0 … high. */
+/* Gives the whole part of what is cut to 0 … high. */
 static inline int32_t whole_within(float v, float high)
 {
     v = v > 0 ? v : 0;
@@ -151,7 +151,7 @@ PLB_SIMD_CLONES static void mix(int n, int32_t *restrict x, int32_t *restrict y)
     }
 }
 
-/* How far beside its own place a point looks, `ragged` at most. */
+/* Tells how far beside its own place a point looks, `ragged` at most. */
 static inline double beside(double ragged, int32_t bits)
 {
     return ragged * (bits * (1.0 / 32768) - 1);
@@ -199,7 +199,7 @@ static void locate_one_by_one(const grain *g, const sample_row *at, int from, in
     }
 }
 
-/* The points `from` to from + n of the row, at most a run. */
+/* Computes the points `from` to from + n of the row, at most a run. */
 static void add_run(const grain *g, const sample_row *at, int from, int n, points *p)
 {
     double begin = at->along + from * at->along_step, end = at->along + (from + n - 1) * at->along_step;
@@ -219,7 +219,7 @@ static void add_run(const grain *g, const sample_row *at, int from, int n, point
 
 /* ---- darkness ---- */
 
-/* What each point comes to, pass after pass. */
+/* The values of each point, filled in by one loop after the other. */
 typedef struct {
     int32_t cell[POINTS];                /* of the field */
     int32_t place[POINTS];               /* of the section, 256 to a step */

@@ -29,7 +29,7 @@ void plb_texture_wrap(strip *s);
 /* All three in order; `closed` strokes are wrapped. */
 bool plb_texture(strip *s, double length_px, bool closed, const pencil *p, uint64_t seed, uint64_t identity, error *err);
 
-/* The papers' strip as a texture to map (bilinear between its pixels). */
+/* Gives the papers' strip as a texture to map (bilinear between its pixels). */
 shading plb_strip_shading(const strip *s, double dpi);
 /* Its greys darker or paler by `pressure`, times the usual. */
 void plb_strip_press(strip *s, double pressure);
