@@ -4,10 +4,11 @@
  */
 #include "plan/item/stages.h"
 
-/* Point i of `t`, whose drawing begins at vertex k: only a closed track begins elsewhere than at 0. */
+/* Gives point i of `t`, whose drawing begins at vertex k. A closed track ends exactly where it begins, to the last bit: the order of
+ * drawing tells a closed line by that. */
 static track_point point_of(const track *t, size_t k, size_t i)
 {
-    return k == 0 ? t->v[i] : t->v[(k + i) % (t->n - 1)];
+    return t->closed ? t->v[(k + i) % (t->n - 1)] : t->v[i];
 }
 
 /* Points first to last of `t`, begun at vertex k, as a track of their own. */
