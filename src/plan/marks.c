@@ -46,15 +46,13 @@ static bool add_wide_line(const plan_context *p, const item *it, track_list *out
     return ok;
 }
 
-/* Leaves an outline out where shapes of one paint lie upon each other: there it would show an edge that nobody sees. */
-static bool add_outline(const plan_context *p, size_t i, track_list *out, error *err)
+static bool add_outline(const plan_context *p, const item *it, track_list *out, error *err)
 {
-    const item *it = &p->list->items.v[i];
-    track_list lines = {0};
     size_t first = out->tracks.n;
-    bool ok = plb_plan_flatten(&it->path, true, &lines, err) && plb_plan_fuse(p->occluders, i, &lines, out, err);
+    bool ok = plb_plan_flatten(&it->path, true, out, err);
     set_style(out, first, style_of(p, it));
-    plb_tracks_free(&lines);
+    for (size_t k = first; k < out->tracks.n; k++)
+        out->tracks.v[k].is_outline = true;
     return ok;
 }
 
@@ -80,7 +78,7 @@ static bool add_letters(const plan_context *p, size_t i, bool outlined, bool *ta
     if (text != TEXT_HAND)
         plb_tracks_clear(out);
     *stands_for_next = *taken && outlined && text != TEXT_OUTLINE; /* the stroke is the next item */
-    return !*taken || text != TEXT_OUTLINE || outlined || add_outline(p, i, out, err);
+    return !*taken || text != TEXT_OUTLINE || outlined || add_outline(p, it, out, err);
 }
 
 static bool add_fill(const plan_context *p, size_t i, track_list *out, bool *stands_for_next, error *err)
@@ -97,7 +95,7 @@ static bool add_fill(const plan_context *p, size_t i, track_list *out, bool *sta
         return true;
     if (fill == FILL_HATCH && !plb_plan_hatch(&p->hatcher, it, style_of(p, it).colour, &outline, out, err))
         return false;
-    return !outline || outlined || add_outline(p, i, out, err);
+    return !outline || outlined || add_outline(p, it, out, err);
 }
 
 bool plb_plan_marks(const plan_context *p, size_t i, track_list *out, bool *stands_for_next, error *err)

@@ -2,7 +2,7 @@
  *
  * Plan: from what was drawn to what a hand draws. plb_plan is the table of contents:
  *
- *     each item      visible? → marks → clip → dash → hidden → scraps → simplify → corners → strokes
+ *     each item      visible? → marks → fuse → clip → dash → hidden → scraps → simplify → corners → strokes
  *     all strokes    clear of lettering → drawn once → joined → smooth → beside or upon each other? → habits → in order → identities
  *
  * Each stage of an item takes an array of tracks and gives one; each pass takes the list of all strokes as the one before left it.
@@ -67,6 +67,21 @@ static bool is_thin_line(const item *it, const plan_options *o)
     return it->kind == ITEM_STROKE && !plb_is_wide(it, o);
 }
 
+/* Tells whether the mark is part of a fill's outline, which goes through the stages by itself. */
+static bool is_outline(const track_list *marks, size_t k)
+{
+    return marks->tracks.v[k].is_outline;
+}
+
+/* Tells how many marks from number k on go through the stages together: a batch of what lies inside an outline, or one track of the outline. */
+static size_t count_batch(const track_list *marks, size_t k)
+{
+    size_t n = 1;
+    while (!is_outline(marks, k) && n < BATCH && k + n < marks->tracks.n && !is_outline(marks, k + n))
+        n++;
+    return n;
+}
+
 /* Takes marks of item number `i` through the stages to strokes. */
 static bool finish_marks(planner *p, size_t i, const track_list *marks)
 {
@@ -74,7 +89,12 @@ static bool finish_marks(planner *p, size_t i, const track_list *marks)
     const item *it = &c->list->items.v[i];
     const plan_options *o = c->options;
     track_list *a = &p->a, *b = &p->b;
-    bool ok = plb_plan_clip(c->clips, it->clip, marks, plb_tracks_clear(a), p->err);
+    bool ok = true;
+    if (is_outline(marks, 0)) {
+        ok = plb_plan_fuse(c->occluders, i, marks, plb_tracks_clear(b), p->err);
+        marks = b;
+    }
+    ok = ok && plb_plan_clip(c->clips, it->clip, marks, plb_tracks_clear(a), p->err);
     if (ok && is_thin_line(it, o)) {
         ok = plb_plan_dash(it, a, o, plb_tracks_clear(b), p->err);
         a = &p->b;
@@ -96,10 +116,10 @@ static bool draw_items(planner *p)
         if (!is_visible)
             continue;
         ok = plb_plan_marks(&p->context, i, &p->marks, &is_drawn, p->err);
-        for (size_t k = 0; ok && k < p->marks.tracks.n; k += BATCH) {
+        for (size_t k = 0, n; ok && k < p->marks.tracks.n; k += n) {
             track_list some = p->marks; /* borrowed */
             some.tracks.v += k;
-            some.tracks.n = some.tracks.n - k < BATCH ? some.tracks.n - k : BATCH;
+            some.tracks.n = n = count_batch(&p->marks, k);
             ok = finish_marks(p, i, &some);
         }
     }

@@ -23,6 +23,7 @@ typedef struct {
     size_t n, first;      /* … in a list: from this one of its points on */
     bool closed;
     bool corner_first, corner_last; /* an end where another stroke goes on round a corner */
+    bool is_outline;                /* of a fill: not drawn where the fill lies upon an area of the same paint */
     bool is_part;                   /* the rest of the track is hidden … */
     bool hidden_first, hidden_last; /* … beyond this end */
     stroke_style style;

@@ -468,7 +468,8 @@ bool plb_plan_fuse(occluders *c, size_t i, const track_list *in, track_list *out
     c->err = err;
     for (size_t k = 0; ok && k < in->tracks.n; k++) {
         track t = plb_track_at(in, k);
-        ok = fuses ? cut(c, &exact, &t, out, &is_part) : plb_track_copy(out, &t) || plb_fail_memory(err);
+        if (t.n > 1)
+            ok = fuses && t.is_outline ? cut(c, &exact, &t, out, &is_part) : plb_track_copy(out, &t) || plb_fail_memory(err);
     }
     return ok;
 }

@@ -19,8 +19,8 @@ bool plb_occluders_hide_item(const occluders *c, size_t i);
 /* Appends the parts of the tracks `in`, which belong to item number `i`, that no later item hides to `out`, and notes which are parts. False
  * and `err` when out of memory. */
 bool plb_plan_hide(occluders *c, size_t i, const track_list *in, track_list *out, error *err);
-/* Appends the parts of the tracks `in`, the outline of the filled item number `i`, that do not lie upon an area of the same paint:
- * shapes of one paint make one shape. */
+/* Appends the tracks `in` of the filled item number `i` to `out`, of its outline only the parts that do not lie upon an area of the same
+ * paint: shapes of one paint make one shape, and the outline would show an edge that nobody sees. */
 bool plb_plan_fuse(occluders *c, size_t i, const track_list *in, track_list *out, error *err);
 /* Tells whether the work had a bound and reached it: what came after was not cut. */
 bool plb_occluders_are_exhausted(const occluders *c);
