@@ -107,6 +107,20 @@ static void fine_wiggles_are_one_movement(void)
     CHECK(short_one.corners == 4);
 }
 
+/* A closed track whose ends differ by less than a point is cut at its corner into one that ends exactly where it begins. */
+static void closed_tracks_end_where_they_begin(void)
+{
+    track_list closed = {0}, pieces = {0};
+    CHECK(plb_track_begin(&closed, &(track){.style = STROKE_STYLE_USUAL, .closed = true}));
+    CHECK(plb_track_push(&closed, (point){5, 5}, true) && plb_track_push(&closed, (point){9, 5}, false) &&
+          plb_track_push(&closed, (point){7, 9}, false) && plb_track_push(&closed, (point){5 + 1e-6, 5}, true));
+    CHECK(plb_plan_corners(&closed, &pieces, NULL) && pieces.tracks.n == 1);
+    track t = plb_track_at(&pieces, 0);
+    CHECK(t.n == 4 && t.v[0].at.x == t.v[3].at.x && t.v[0].at.y == t.v[3].at.y);
+    plb_tracks_free(&closed);
+    plb_tracks_free(&pieces);
+}
+
 /* ---- meeting ---- */
 
 static void lines_that_others_end_upon_stray_little(void)
@@ -131,6 +145,7 @@ int main(void)
     RUN(hatching_keeps_clear_of_letters);
     RUN(lettering_that_is_hatched_over_stays_so);
     RUN(fine_wiggles_are_one_movement);
+    RUN(closed_tracks_end_where_they_begin);
     RUN(lines_that_others_end_upon_stray_little);
     CHECK_EXIT;
 }
