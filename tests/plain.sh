@@ -40,7 +40,7 @@ plain() { printf '%s' "$2" >case.svg; by_both "$1" case.svg || fail "$1" "$(cat 
 unplain() {
     printf '%s' "$2" | "$tap_plain" >short 2>said
     local code=$?
-    if [ $code -eq 2 ] && [ ! -s short ] && grep -q '^not plain: ' said && [ "$(wc -l <said)" -eq 1 ]; then
+    if [ $code -eq 3 ] && [ ! -s short ] && grep -q '^not plain: ' said && [ "$(wc -l <said)" -eq 1 ]; then
         ok "$1"
     else
         fail "$1" "status $code, $(wc -c <short) bytes, said: $(head -n 1 said)"

@@ -34,11 +34,16 @@ static bool fail_with_message(const input_source *in, tap *t, error_kind kind, e
 static bool explain_end(const input_source *in, tap *t, error *err)
 {
     static const error_kind kinds[] = {[TAP_MALFORMED] = ERROR_SYNTAX, [TAP_REFUSED] = ERROR_UNSUPPORTED, [TAP_LIMIT] = ERROR_LIMIT,
-                                       [TAP_MISSING] = ERROR_HELPER, [TAP_HANDED_OVER] = ERROR_UNSUPPORTED};
+                                       [TAP_MISSING] = ERROR_HELPER};
     int code = t->process.code;
-    if (!plb_converter_ended_by_itself(in, t->who, &t->process, err))
-        return false;
-    if (code >= 0 && code <= TAP_HANDED_OVER && kinds[code])
+    error why = {ERROR_NONE, ""};
+    if (!plb_converter_ended_by_itself(in, t->who, &t->process, &why)) {
+        t->crashed = why.kind == ERROR_HELPER;
+        return plb_fail(err, why.kind, "%s", why.text);
+    }
+    if (code == TAP_HANDED_OVER) /* its message stays as it is: it tells the other program what to do */
+        return plb_fail(err, ERROR_UNSUPPORTED, "%s: %s leaves it to another program", in->name, t->argv[0]);
+    if (code >= 0 && code < TAP_HANDED_OVER && kinds[code])
         return fail_with_message(in, t, kinds[code], err);
     return plb_fail(err, ERROR_HELPER, "%s: the helper %s failed (status %d): %.200s", in->name, t->argv[0], code, plb_converter_message(&t->process));
 }
@@ -57,6 +62,7 @@ bool plb_tap_read(const input_source *in, tap *t, display_list *list, error *err
     process *p = &t->process;
     error why = {ERROR_NONE, ""};
     t->pages = 0;
+    t->crashed = false;
     *p = (process){.pid = -1, .end = PROCESS_RUNNING};
     if (!plb_process_find(in->helper_dir, t->argv[0], program, &why) || !plb_converter_start(in, t->who, program, t->argv, p, &why))
         return plb_fail(err, why.kind, "%s: %s", in->name, why.text);

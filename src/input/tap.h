@@ -14,6 +14,7 @@ typedef struct {
     const char *who;                     /* does the work, as messages name it: "librsvg" */
     const char *argv[TAP_MAX_ARGUMENTS]; /* the tap's name first; NULL after the last */
     process process;     /* how it ended, for those who try again: end, code, message. Already finished */
+    bool crashed;        /* it died, by itself */
     unsigned long pages; /* that the document has; 0: the tap does not say */
 } tap;
 

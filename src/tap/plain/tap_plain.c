@@ -1,17 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
  * tap-plain: plain SVG (plain_svg.h) on descriptor 0 becomes a display list on descriptor 1, the same that tap-svg
- * would make of it. Exit status 0: that is done. 2: it is not plain, a line on standard error says what is not, and nothing was
+ * would make of it. Exit status 0: that is done. 3: it is not plain, a line on standard error says what is not, and nothing was
  * written: tap-svg is to be asked. It links no more than libxml2, so that it starts soon.
  */
+#include "list/tap_status.h"
 #include "tap/plain/plain_svg.h"
 
 #include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <unistd.h>
-
-enum { EXIT_DONE, EXIT_USAGE, EXIT_UNPLAIN, EXIT_WRITE };
 
 #define PART_BYTES ((size_t)1 << 18)
 
@@ -35,7 +34,7 @@ static char *read_document(size_t *size)
             room = room ? room * 2 : 2 * PART_BYTES;
             char *more = *size > TAP_MAX_BYTES ? NULL : realloc(all, room);
             if (!more)
-                quit(EXIT_UNPLAIN, "not plain: ", "it is too large");
+                quit(TAP_REFUSED, "not plain: ", "it is too large");
             all = more;
         }
         ssize_t n = read(STDIN_FILENO, all + *size, PART_BYTES);
@@ -52,7 +51,7 @@ static void put(const char *text, size_t size)
     for (size_t done = 0; done < size;) {
         ssize_t n = write(STDOUT_FILENO, text + done, size - done);
         if (n < 0 && errno != EINTR)
-            _exit(EXIT_WRITE); /* the reader went away: nobody is left to tell */
+            _exit(TAP_WRITE); /* the reader went away: nobody is left to tell */
         done += n < 0 ? 0 : (size_t)n;
     }
 }
@@ -64,10 +63,10 @@ int main(int argc, char **argv)
     size_t size;
     (void)argv;
     if (argc > 1)
-        quit(EXIT_USAGE, "usage: ", "tap-plain <drawing.svg >list");
+        quit(TAP_USAGE, "usage: ", "tap-plain <drawing.svg >list");
     char *text = read_document(&size);
     if (!plb_plain_svg(text, size, &list, why))
-        quit(EXIT_UNPLAIN, "not plain: ", why);
+        quit(TAP_REFUSED, "not plain: ", why);
     put(list.text.v, list.text.n);
-    _exit(EXIT_DONE); /* no time for tidying up */
+    _exit(TAP_DONE); /* no time for tidying up */
 }

@@ -14,6 +14,7 @@
  * -9999. No outline is rectilinear once turned by an odd angle. The turn is a style of the root element and not
  * cairo's own matrix, because librsvg takes the latter away again inside groups with opacity.
  */
+#include "list/tap_status.h"
 #include "tap/common/tap_omissions.h"
 #include "tap/common/tap_page.h"
 #include "tap/svg/cairoscript.h"
@@ -32,9 +33,6 @@
 #include <string.h>
 #include <unistd.h>
 
-/* What the caller acts on; the message is one line on standard error. */
-enum { EXIT_DONE, EXIT_USAGE, EXIT_MALFORMED, EXIT_REFUSED, EXIT_WRITE, EXIT_LIMIT };
-
 #define PX_EMPTY 100.0                /* page of a drawing without size that draws nothing; chosen by eye */
 
 static void __attribute__((noreturn, format(printf, 2, 3))) quit(int status, const char *format, ...)
@@ -50,6 +48,16 @@ static void __attribute__((noreturn, format(printf, 2, 3))) quit(int status, con
     _exit(status);
 }
 
+/* libxml2's "... on line LINE column 7 of data: TEXT": the line goes to the front, where it belongs. */
+static void __attribute__((noreturn)) quit_malformed(const char *message)
+{
+    static const char where[] = " on line ", what[] = " of data: ";
+    const char *line = strstr(message, where), *text = line ? strstr(line, what) : NULL;
+    if (!text)
+        quit(TAP_MALFORMED, "%s", message);
+    quit(TAP_MALFORMED, "%ld: not well-formed XML: %s", strtol(line + strlen(where), NULL, 10), text + strlen(what));
+}
+
 /* ---- output ------------------------------------------------------------------------------------------------ */
 
 /* Of the list. */
@@ -59,7 +67,7 @@ static bool put(void *closure, const char *data, size_t n)
     for (size_t done = 0; done < n;) {
         ssize_t part = write(STDOUT_FILENO, data + done, n - done);
         if (part < 0 && errno != EINTR)
-            _exit(EXIT_WRITE); /* the reader went away: nobody is left to tell */
+            _exit(TAP_WRITE); /* the reader went away: nobody is left to tell */
         done += part < 0 ? 0 : (size_t)part;
     }
     return true;
@@ -68,7 +76,7 @@ static bool put(void *closure, const char *data, size_t n)
 static void __attribute__((noreturn)) quit_for(const error *err)
 {
     bool limit = err->kind == ERROR_LIMIT || err->kind == ERROR_MEMORY;
-    quit(limit ? EXIT_LIMIT : EXIT_REFUSED, "%s%s", limit ? "" : "cannot read what cairo wrote: ", err->text);
+    quit(limit ? TAP_LIMIT : TAP_REFUSED, "%s%s", limit ? "" : "cannot read what cairo wrote: ", err->text);
 }
 
 /* What cairo writes, number by number, goes to the reader of it in larger pieces. */
@@ -117,11 +125,11 @@ static GByteArray *read_stream(GInputStream *from)
     gssize n;
     while ((n = g_input_stream_read(from, part, sizeof part, NULL, &fault)) > 0) {
         if (all->len + (size_t)n > TAP_MAX_BYTES)
-            quit(EXIT_LIMIT, "the document is larger than %zu MB", TAP_MAX_BYTES >> 20);
+            quit(TAP_LIMIT, "the document is larger than %zu MB", TAP_MAX_BYTES >> 20);
         g_byte_array_append(all, part, (guint)n);
     }
     if (n < 0 && !all->len)
-        quit(EXIT_MALFORMED, "cannot unpack: %s", fault->message);
+        quit(TAP_MALFORMED, "cannot unpack: %s", fault->message);
     return all; /* what came before the fault of a damaged file may still draw */
 }
 
@@ -132,7 +140,7 @@ static GByteArray *read_document(void)
     unsigned char part[1 << 16];
     while ((n = read(STDIN_FILENO, part, sizeof part)) > 0) {
         if (all->len + (size_t)n > TAP_MAX_BYTES)
-            quit(EXIT_LIMIT, "the document is larger than %zu MB", TAP_MAX_BYTES >> 20);
+            quit(TAP_LIMIT, "the document is larger than %zu MB", TAP_MAX_BYTES >> 20);
         g_byte_array_append(all, part, (guint)n);
     }
     if (all->len < 2 || all->data[0] != 0x1f || all->data[1] != 0x8b)
@@ -209,13 +217,13 @@ static GByteArray *recover(GByteArray *text)
     xmlDoc *doc = xmlReadMemory((const char *)text->data, (int)text->len, NULL, utf8 ? NULL : "ISO-8859-1",
                                 XML_PARSE_RECOVER | XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING);
     if (!doc || !xmlDocGetRootElement(doc))
-        quit(EXIT_MALFORMED, "nothing to recover");
+        quit(TAP_MALFORMED, "nothing to recover");
     drop_references(doc);
     xmlChar *mended = NULL;
     int size = 0;
     xmlDocDumpMemoryEnc(doc, &mended, &size, "UTF-8");
     if (!mended)
-        quit(EXIT_LIMIT, "out of memory");
+        quit(TAP_LIMIT, "out of memory");
     xmlFreeDoc(doc);
     GByteArray *result = g_byte_array_new();
     g_byte_array_append(result, mended, (guint)size);
@@ -232,7 +240,7 @@ static RsvgHandle *load(const GByteArray *text)
     GError *fault = NULL;
     RsvgHandle *svg = rsvg_handle_new_from_stream_sync(stream, NULL, flags, NULL, &fault);
     if (!svg)
-        quit(EXIT_MALFORMED, "%s", fault->message);
+        quit_malformed(fault->message);
     rsvg_handle_set_dpi(svg, 96);
     return svg;
 }
@@ -299,9 +307,9 @@ static tap_page find_page(RsvgHandle *svg)
     if (!size_by_attributes(svg, &p))
         size_by_extents(svg, &p);
     if (!plb_tap_page_is_there(&p))
-        quit(EXIT_REFUSED, "the drawing has no width or no height");
+        quit(TAP_REFUSED, "the drawing has no width or no height");
     if (!plb_tap_page_is_fit(&p))
-        quit(EXIT_REFUSED, "the drawing is larger than 100 m");
+        quit(TAP_REFUSED, "the drawing is larger than 100 m");
     return p;
 }
 
@@ -320,7 +328,7 @@ static void set_style(RsvgHandle *svg, const tap_page *p, const tap_placing *l, 
              "pattern *{fill:none!important;stroke:#000!important;clip-path:none!important}%s", turn, no_text ? "text,tspan{display:none!important}" : "");
     GError *fault = NULL;
     if (!rsvg_handle_set_stylesheet(svg, (const guint8 *)style, strlen(style), &fault))
-        quit(EXIT_REFUSED, "%s", fault->message);
+        quit(TAP_REFUSED, "%s", fault->message);
 }
 
 /* Draws into `sink`. False: cairo or librsvg refused; `why` says so. */
@@ -403,9 +411,9 @@ static void write_list(RsvgHandle *svg, const GByteArray *text, const tap_page *
     plb_list_writer_matrix(&out, sheet.to_page);
     from_cairo.script = plb_cairoscript_new(&out, sheet.width, sheet.height, sheet.to_page);
     if (!from_cairo.script)
-        quit(EXIT_LIMIT, "out of memory");
+        quit(TAP_LIMIT, "out of memory");
     if (!draw(svg, p, by_style, no_text, feed, &from_cairo, why))
-        quit(EXIT_REFUSED, "%s", why);
+        quit(TAP_REFUSED, "%s", why);
     empty(&from_cairo);
     omissions lost = plb_tap_count_omissions((const char *)text->data, text->len);
     if (!plb_cairoscript_end(from_cairo.script, &lost, &err))
@@ -425,7 +433,7 @@ int main(int argc, char **argv)
         else if (!strcmp(argv[i], "--no-text"))
             no_text = true;
         else
-            quit(EXIT_USAGE, "usage: tap-svg [--recover] [--no-text] <drawing.svg >list");
+            quit(TAP_USAGE, "usage: tap-svg [--recover] [--no-text] <drawing.svg >list");
     }
     GByteArray *text = read_document();
     if (mend)
@@ -433,5 +441,5 @@ int main(int argc, char **argv)
     RsvgHandle *svg = load(text);
     tap_page p = find_page(svg);
     write_list(svg, text, &p, no_text);
-    _exit(EXIT_DONE); /* no time for tidying up */
+    _exit(TAP_DONE); /* no time for tidying up */
 }
