@@ -22,7 +22,7 @@
 bool plb_ghostscript_is_there(void)
 {
     char program[PROCESS_PATH_MAX];
-    return plb_process_find_installed(PROGRAM, program);
+    return plb_process_find_installed(PROGRAM, program) && plb_process_find_installed("pdftocairo", program);
 }
 
 /* The arguments, and room for the texts of those that vary. */

@@ -13,6 +13,7 @@ typedef struct {
     box area;            /* what of the plane the page is, points */
 } gs_page;
 
+/* It, and what reads the PDF that it makes. */
 bool plb_ghostscript_is_there(void);
 
 /* Reads `in`, a program without headers, onto `list`, whose page becomes page->area. ERROR_FILE: it could not be run, for

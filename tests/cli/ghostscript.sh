@@ -29,7 +29,7 @@ is "without gs: drawn, but for the text" "$status $(items)" '0 1'
 grep -q 'warning: .*left out: 1 text string; .*ghostscript' "$TMP/err" && ok "without gs: a warning says what to install" || fail "without gs: a warning says what to install" "$(cat "$TMP/err")"
 page=$(head_line)
 without unknown.ps
-grep -q 'unknown.ps:3: .*frobnicate.*Debian: ghostscript' "$TMP/err" && ok "without gs: the error names the operator" || fail "without gs: the error names the operator" "$(cat "$TMP/err")"
+grep -q 'unknown.ps:3: .*frobnicate.*Debian: ghostscript, poppler-utils' "$TMP/err" && ok "without gs: the error names the operator" || fail "without gs: the error names the operator" "$(cat "$TMP/err")"
 
 if ! command -v gs >/dev/null || ! command -v pdftocairo >/dev/null; then
     skip "Ghostscript" "no gs or no pdftocairo here (Debian: ghostscript, poppler-utils)"
@@ -51,8 +51,20 @@ is "page 2 of two" "$(plumbago --page 2 --dump=list pages.ps; items)" 3
 plumbago -v --dump=list plain.eps
 grep -q Ghostscript "$TMP/err" && fail "without text Ghostscript is not asked" "$(cat "$TMP/err")" || ok "without text Ghostscript is not asked"
 refuses "what neither knows is told in our words" 'unknown.ps:3: .*frobnicate' unknown.ps
-printf '%%!PS\n/Helvetica findfont 24 scalefont setfont 20 60 moveto (x) show\n/f { f 1 } def f\n' >deep.ps
+# A limit of ours is final where it is met before the first letter; behind that Ghostscript's own limits hold.
+printf '%%!PS\n/f { f 1 } def f\n/Helvetica findfont 24 scalefont setfont 20 60 moveto (x) show\n' >deep.ps
 refuses "a limit is final" 'execstackoverflow' deep.ps
+# A stall is no answer, nor is a full disk: without its text the drawing would be another one.
+printf '%%!PS-Adobe-3.0 EPSF-3.0\n%%%%BoundingBox: 0 0 99 99\n/Helvetica findfont 24 scalefont setfont 20 60 moveto (x) show {} loop\n' >endless.eps
+refuses "Ghostscript does not end" 'endless.eps: Ghostscript needs more than 1 second' --limit-time 1 endless.eps
+printf '%%!PS\n2 { /Helvetica findfont 24 scalefont setfont 20 60 moveto (x) show showpage } repeat\n' >loop.ps
+plumbago --dump=list loop.ps
+grep -q 'only the first page' "$TMP/err" && ok "pages shown by a loop are noticed" || fail "pages shown by a loop are noticed" "$(cat "$TMP/err")"
+for word in filter findresource; do
+    printf '%%!PS\n10 10 moveto 100 100 lineto stroke\n{ currentfile /A /B %s } stopped clear showpage\n' $word >$word.ps
+    plumbago -v --dump=list $word.ps
+    grep -q "$word.ps:3: '$word' is left to Ghostscript; read by Ghostscript" "$TMP/err" && ok "$word is Ghostscript's" || fail "$word is Ghostscript's" "$(cat "$TMP/err")"
+done
 printf '%%!PS\n(/etc/passwd) (r) file\n/Helvetica findfont 24 scalefont setfont 20 60 moveto (x) show showpage\n' >asks.ps
 refuses "what is refused is not asked elsewhere" "'file' is refused" asks.ps
 is "no temporary file is left" "$(ls temporary)" ''

@@ -4,16 +4,16 @@
  */
 #include "fuzz.h"
 
-#include "input/input.h"
+#include "tap/ps/postscript.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
     display_list list;
     error err = {ERROR_NONE, ""};
     plb_list_init(&list);
-    input_source in = {.name = "fuzz", .data = (const char *)data, .size = size};
-    bool good = plb_read_postscript(&in, &list, &err);
-    fuzz_require(good || err.kind != ERROR_NONE);
+    ps_request ask = {.data = (const char *)data, .size = size, .alone = true};
+    ps_answer answer;
+    fuzz_require(plb_ps_read(&ask, &list, &answer, &err) == PS_DRAWN || err.kind != ERROR_NONE);
     plb_list_free(&list);
     return 0;
 }

@@ -4,7 +4,7 @@
  * With ACCEPT set in the environment the lists are written anew: look at the difference before keeping it.
  */
 #include "check.h"
-#include "input/input.h"
+#include "tap/ps/postscript.h"
 #include "list/list_write.h"
 
 #define MOST ((size_t)1 << 20)
@@ -31,9 +31,10 @@ static bool convert(const char *from, const char *to)
     static char program[MOST];
     display_list list;
     error err = {0};
-    input_source in = {.name = from, .data = program, .size = load(from, program)};
+    ps_request ask = {.data = program, .size = load(from, program), .alone = true};
+    ps_answer answer;
     plb_list_init(&list);
-    bool good = plb_read_postscript(&in, &list, &err) && print(&list, to);
+    bool good = plb_ps_read(&ask, &list, &answer, &err) == PS_DRAWN && print(&list, to);
     if (!good)
         printf("# %s\n", err.text);
     plb_list_free(&list);

@@ -3,7 +3,6 @@
  * The PostScript reader: a file's comments say what its page is, its program draws the display list, which is then
  * turned from device space (up, 7200 dpi, the origin where the program has it) to millimetres on the page.
  */
-#include "input/ghostscript.h"
 #include "tap/ps/ps.h"
 #include "tap/ps/ps_dsc.h"
 
@@ -39,6 +38,7 @@ static bool start(ps *p, const char *program, size_t length)
 {
     p->random = 1;
     p->line = 1;
+    p->max_steps = PS_MAX_STEPS;
     p->operands = plb_new(PS_MAX_OPERANDS, sizeof *p->operands);
     p->frames = plb_new(PS_MAX_FRAMES, sizeof *p->frames);
     p->dicts = plb_new(PS_MAX_DICTS, sizeof *p->dicts);
@@ -57,6 +57,8 @@ static bool start(ps *p, const char *program, size_t length)
 /* What the program finds when it asks for the page, before it draws. */
 static void expect_page(ps *p, const ps_dsc *dsc)
 {
+    p->area_is_known = dsc->box_sane || dsc->has_media;
+    p->pages_are_known = dsc->is_eps || dsc->pages || p->ask->page;
     p->page_width = dsc->has_media ? dsc->media_width : DEFAULT_WIDTH;
     p->page_height = dsc->has_media ? dsc->media_height : DEFAULT_HEIGHT;
     if (!dsc->is_eps || !dsc->box_sane)
@@ -64,6 +66,15 @@ static void expect_page(ps *p, const ps_dsc *dsc)
     p->page_origin = (point){dsc->box.x0, dsc->box.y0};
     p->seen_width = dsc->box.x1 - dsc->box.x0;
     p->seen_height = dsc->box.y1 - dsc->box.y0;
+}
+
+static void warn(ps_answer *answer, const char *text)
+{
+    for (int i = 0; i < PS_MAX_WARNINGS; i++)
+        if (!answer->warnings[i]) {
+            answer->warnings[i] = text;
+            return;
+        }
 }
 
 /* Bounds of what was drawn, in points, with a margin; false: nothing, or nothing that fits a page. */
@@ -85,7 +96,7 @@ static bool holds_middle_of(box page, box drawn)
 
 /* The page of the drawing, in points. An EPS file's is its BoundingBox; others say it in the program, in a comment,
  * or not at all. A box that cannot be true gives way to what was drawn. */
-static box choose_page(ps *p, const ps_dsc *dsc)
+static box choose_page(ps *p, const ps_dsc *dsc, ps_answer *answer)
 {
     box drawn = BOX_EMPTY, page = {0, 0, p->page_width, p->page_height};
     bool has_drawn = drawn_bounds(p, &drawn);
@@ -97,7 +108,7 @@ static box choose_page(ps *p, const ps_dsc *dsc)
         return dsc->box;
     bool empty = dsc->box.x1 == dsc->box.x0 && dsc->box.y1 == dsc->box.y0; /* 0 0 0 0 stands for "unknown" */
     if (has_drawn && ((dsc->has_box && !empty) || !holds_middle_of(page, drawn))) {
-        plb_log(&p->in->say, MESSAGE_WARNING, "%s: the BoundingBox is missing or impossible; the page is what was drawn", p->in->name);
+        warn(answer, "the BoundingBox is missing or impossible; the page is what was drawn");
         return drawn;
     }
     return page;
@@ -111,20 +122,19 @@ static void place_on_page(ps *p, box page)
     p->list->height = (page.y1 - page.y0) * MM_PER_POINT;
 }
 
-/* What holds whoever draws the page. */
-static void remark(ps *p, const ps_dsc *dsc)
+/* Says what the user should know of a page that is drawn, by us or by Ghostscript. */
+static void remark(const ps *p, const ps_dsc *dsc, ps_answer *answer)
 {
-    const log_sink *say = &p->in->say;
-    const ps_file *f = p->main_file;
-    if (!p->page_shown && !p->finished && (p->state_count > 1 || p->dict_count > 3))
-        plb_log(say, MESSAGE_WARNING, "%s: the program ends in the middle of its page; drawn is what it holds", p->in->name);
-    if (p->page_shown && !p->in->page && (dsc->pages > 1 || plb_dsc_has_page(f->at, (size_t)(f->end - f->at))))
-        plb_log(say, MESSAGE_WARNING, "%s: only the first page is drawn (--page)", p->in->name);
+    bool is_cut = !p->page_shown && !p->handed_over && !p->finished && (p->state_count > 1 || p->dict_count > 3);
+    if (is_cut)
+        warn(answer, "the program ends in the middle of its page; drawn is what it holds");
+    if (!p->ask->page && (p->another_page || dsc->pages > 1))
+        warn(answer, "only the first page is drawn (--page)");
 }
 
-/* ---- the other way ---------------------------------------------------------------------------------------- */
+/* ---- Ghostscript ------------------------------------------------------------------------------------------ */
 
-/* Errors that another interpreter may not meet; limits, and what was refused on purpose, are final. */
+/* Another interpreter may not meet these errors; limits, and what was refused on purpose, are final. */
 static bool may_be_our_fault(const ps *p)
 {
     return (p->err.kind == ERROR_UNSUPPORTED || p->err.kind == ERROR_SYNTAX) && p->last_fault != PS_INVALIDFILEACCESS && !p->refused;
@@ -139,183 +149,71 @@ static bool has_word(const char *text, const char *end, const char *word)
     return false;
 }
 
-/* The page for Ghostscript: as far as our reader came, it knows. */
-static gs_page page_of(ps *p, const ps_dsc *dsc, bool good)
+/* Fills in what Ghostscript has to know. A page that this reader did not see the end of is shown once more after the
+ * program, which changes nothing when the program showed it; where not even its beginning was seen the word decides. */
+static void hand_over(ps *p, ps_answer *answer)
 {
-    const ps_file *f = p->main_file;
-    const char *program = p->program;
-    gs_page page = {.area = choose_page(p, dsc)};
-    page.sheet = p->page_shown ? p->sheets : good ? p->sheets + 1 : p->page_wanted;
-    page.lacks_showpage = good ? !p->page_shown : !has_word(program, f->end, "showpage");
-    return page;
-}
-
-static input_source program_of(const ps *p)
-{
-    input_source in = *p->in;
-    in.data = p->program;
-    in.size = (size_t)(p->main_file->end - p->program);
-    return in;
-}
-
-/* Draws the page anew by Ghostscript; false, with the reason, when that fails: then the list is as it was. */
-static bool draw_by_ghostscript(ps *p, const gs_page *page, error *err)
-{
-    display_list other;
-    plb_list_init(&other);
-    input_source in = program_of(p);
-    if (!plb_read_by_ghostscript(&in, page, &other, err)) {
-        plb_list_free(&other);
-        return false;
-    }
-    display_list ours = *p->list;
-    *p->list = other;
-    plb_list_free(&ours);
-    return true;
-}
-
-/* What a user can do about text and shades that Ghostscript did not draw. */
-static const char *advice_on(const error *why)
-{
-    if (!plb_ghostscript_is_there())
-        return "fonts and shadings need Ghostscript (Debian: ghostscript), which is not installed";
-    if (why->kind == ERROR_LIMIT)
-        return "fonts and shadings need Ghostscript, which needs more time or memory than it may have";
-    return "fonts and shadings need Ghostscript, which fails on this file";
-}
-
-/* The next run, with more memory or disk, would draw more: better to fail than to make another picture. */
-static bool is_passing(const error *why) { return why->kind == ERROR_MEMORY || why->kind == ERROR_FILE; }
-
-/* Our reader drew the page but for its text or shades: Ghostscript knows fonts. False: Ghostscript
- * could not be run. */
-static bool improve(ps *p, const gs_page *page)
-{
-    error why = {0};
-    omissions ours = p->list->omissions;
-    const log_sink *say = &p->in->say;
-    if (!ours.n[OMISSION_TEXT] && !ours.n[OMISSION_SHADING])
-        return true;
-    if (plb_ghostscript_is_there() && draw_by_ghostscript(p, page, &why)) {
-        omissions *theirs = &p->list->omissions; /* there letters made of pixels count as images and masks */
-        theirs->n[OMISSION_IMAGE] = ours.n[OMISSION_IMAGE];
-        theirs->n[OMISSION_PIXEL_TEXT] = ours.n[OMISSION_PIXEL_TEXT];
-        theirs->n[OMISSION_MASK] = theirs->n[OMISSION_FILTER] = 0;
-        plb_log(say, MESSAGE_DETAIL, "%s: read by Ghostscript, for its text or shades", p->in->name);
-        return true;
-    }
-    if (is_passing(&why))
-        return plb_fail(&p->err, why.kind, "%s", why.text);
-    if (why.kind)
-        plb_log(say, MESSAGE_DETAIL, "%s", why.text);
-    plb_omissions_advise(&p->list->omissions, advice_on(&why));
-    return true;
-}
-
-/* Our reader failed. True: Ghostscript did not. */
-static bool rescue(ps *p, const ps_dsc *dsc)
-{
-    error why = {0};
-    if (!may_be_our_fault(p) || !p->main_file)
-        return false;
-    if (!plb_ghostscript_is_there()) {
-        if (p->err.kind == ERROR_UNSUPPORTED)
-            strncat(p->err.text, "; Ghostscript would help (Debian: ghostscript)", sizeof p->err.text - strlen(p->err.text) - 1);
-        return false;
-    }
-    gs_page page = page_of(p, dsc, false);
-    if (!draw_by_ghostscript(p, &page, &why)) {
-        if (is_passing(&why))
-            p->err = why;
-        else
-            plb_log(&p->in->say, MESSAGE_DETAIL, "%s", why.text);
-        return false;
-    }
-    plb_log(&p->in->say, MESSAGE_DETAIL, "%s; read by Ghostscript", p->err.text);
-    plb_error_clear(&p->err);
-    return true;
+    bool is_seen = p->wants_ghostscript && p->handed_over, good = p->err.kind == ERROR_NONE && !p->handed_over;
+    answer->sheet = p->ask->only_count ? 0 : p->page_shown ? p->sheets : p->sheets + p->page_wanted - p->page;
+    answer->lacks_showpage = good ? !p->page_shown : is_seen || !has_word(p->program, p->main_file->end, "showpage");
 }
 
 /* ---- reading ---------------------------------------------------------------------------------------------- */
 
-/* Runs the program up to the page that is wanted. */
+/* Runs the program up to the page that is wanted. What goes wrong behind that page is nobody's concern. */
 static bool run(ps *p, const ps_dsc *dsc, const char *program, size_t length)
 {
     expect_page(p, dsc);
     p->program = program;
-    if (!start(p, program, length) || !plb_ps_run(p))
+    if (!start(p, program, length))
         return false;
-    if (!p->page_shown && plb_ps_page_has_something(p)) /* a last page that is not shown counts as well */
+    if (!plb_ps_run(p) && !p->page_shown)
+        return false;
+    plb_error_clear(&p->err);
+    if (!p->page_shown && !p->handed_over && plb_ps_page_has_something(p)) /* a last page that is not shown counts as well */
         p->page++;
     return true;
 }
 
-static bool read_program(ps *p, const char *program, size_t length)
+static ps_outcome read_page(ps *p, const char *program, size_t length, ps_answer *answer)
 {
     ps_dsc dsc;
     plb_dsc_read(program, length, PS_MAX_PAGE_POINTS, &dsc);
-    p->page_wanted = p->in->page ? p->in->page : 1;
-    if (!run(p, &dsc, program, length))
-        return rescue(p, &dsc);
-    if (p->page < p->page_wanted && p->page_wanted > 1)
-        return plb_fail(&p->err, ERROR_ARGUMENT, "%s: it has no page %u, only %u", p->in->name, p->page_wanted, p->page ? p->page : 1);
-    gs_page page = page_of(p, &dsc, true);
-    place_on_page(p, page.area);
-    if (!improve(p, &page))
-        return false;
-    remark(p, &dsc);
-    return true;
+    bool good = run(p, &dsc, program, length), wants_other = !good || p->handed_over || (p->wants_ghostscript && !p->ask->only_count);
+    if (!good && (!may_be_our_fault(p) || !p->main_file))
+        return PS_FAILED;
+    if (good && !p->handed_over && !p->page_shown)
+        answer->pages = p->page ? p->page : 1;
+    if (answer->pages && answer->pages < p->ask->page)
+        return PS_DRAWN;
+    if (wants_other)
+        hand_over(p, answer);
+    answer->area = choose_page(p, &dsc, answer);
+    if (good && !p->handed_over)
+        place_on_page(p, answer->area);
+    if (good)
+        remark(p, &dsc, answer);
+    if (good && (!wants_other || p->ask->alone))
+        return PS_DRAWN;
+    if (good)
+        plb_fail(&p->err, ERROR_UNSUPPORTED, "%d: '%s' is left to Ghostscript", p->line, p->op ? p->op->name : "show");
+    return PS_HANDED_OVER;
 }
 
-static bool count_pages(ps *p, const char *program, size_t length)
+ps_outcome plb_ps_read(const ps_request *ask, display_list *list, ps_answer *answer, error *err)
 {
-    ps_dsc dsc;
-    plb_dsc_read(program, length, PS_MAX_PAGE_POINTS, &dsc);
-    p->page_wanted = UINT_MAX;
-    if (run(p, &dsc, program, length))
-        return true;
-    if (!may_be_our_fault(p) || !p->main_file || !plb_ghostscript_is_there())
-        return false;
-    error why = {0};
-    gs_page page = page_of(p, &dsc, false);
-    input_source in = program_of(p);
-    page.sheet = 0;
-    if (!plb_count_pages_by_ghostscript(&in, &page, &p->page, &why))
-        return false;
-    plb_error_clear(&p->err);
-    return true;
-}
-
-/* Runs `what` on the file's program. */
-static bool with_program(ps *p, bool (*what)(ps *p, const char *program, size_t length), error *err)
-{
+    ps p = {.ask = ask, .list = list, .page_wanted = ask->only_count ? UINT_MAX : ask->page ? ask->page : 1};
     const char *program;
     size_t length;
-    plb_dsc_find_program(p->in->data, p->in->size, &program, &length);
-    if (!length)
-        return plb_fail(err, ERROR_SYNTAX, "%s: the file holds no PostScript", p->in->name);
-    bool good = what(p, program, length);
-    if (!good)
-        plb_fail(err, p->err.kind ? p->err.kind : ERROR_SYNTAX, "%s", p->err.kind ? p->err.text : "the PostScript program failed");
-    finish(p);
-    return good;
-}
-
-bool plb_read_postscript(const input_source *in, display_list *list, error *err)
-{
-    ps p = {.in = in, .list = list};
-    return with_program(&p, read_program, err);
-}
-
-bool plb_count_postscript_pages(const input_source *in, unsigned *pages, error *err)
-{
-    display_list list;
-    input_source quietly = *in;
-    quietly.say = (log_sink){0};
-    plb_list_init(&list);
-    ps p = {.in = &quietly, .list = &list};
-    bool good = with_program(&p, count_pages, err);
-    plb_list_free(&list);
-    *pages = p.page ? p.page : 1;
-    return good;
+    *answer = (ps_answer){0};
+    plb_ps_find_program(ask->data, ask->size, &program, &length);
+    if (!length) {
+        plb_fail(err, ERROR_SYNTAX, "the file holds no PostScript");
+        return PS_FAILED;
+    }
+    ps_outcome outcome = read_page(&p, program, length, answer);
+    if (outcome != PS_DRAWN)
+        plb_fail(err, p.err.kind ? p.err.kind : ERROR_SYNTAX, "%s", p.err.kind ? p.err.text : "the PostScript program failed");
+    finish(&p);
+    return outcome;
 }

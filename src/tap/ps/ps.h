@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The PostScript interpreter, seen by its operators: objects, stacks, memory, errors. Private to src/input/ps_*.c
- * and postscript.c. "PLRM" below is the PostScript Language Reference, 3rd edition.
+ * The PostScript interpreter, seen by its operators: objects, stacks, memory, errors. Private to this
+ * folder. "PLRM" below is the PostScript Language Reference, 3rd edition.
  *
  * An operator is a function and a line in a table: its name and a signature, one letter for each operand it needs,
  * the topmost last. The interpreter checks the signature before the call, so an operator starts with good operands:
@@ -19,9 +19,9 @@
 #include "base/error.h"
 #include "base/geometry/geom.h"
 #include "base/geometry/path.h"
-#include "input/input.h"
-#include "tap/common/scan.h"
 #include "list/display_list.h"
+#include "tap/common/scan.h"
+#include "tap/ps/postscript.h"
 
 #include <stdint.h>
 
@@ -29,6 +29,7 @@
 
 #ifndef PS_MAX_STEPS /* the fuzzer's build, which wants many short runs, asks for less */
 #define PS_MAX_STEPS 50000000u           /* objects executed, and work of bulk operators */
+#define PS_MAX_STEPS_AFTER 1000000u      /* … after the page is complete */
 #define PS_MAX_MEMORY ((size_t)256 << 20)     /* for objects */
 #define PS_MAX_LIST_BYTES ((size_t)448 << 20) /* of the display list */
 #endif
@@ -98,7 +99,7 @@ static inline bool ps_is_proc(ps_object o) { return o.type == PS_ARRAY && o.exec
 /* Of a number; 0 of anything else. */
 static inline double ps_value(ps_object o) { return o.type == PS_INTEGER ? o.as.integer : o.type == PS_REAL ? o.as.real : 0; }
 /* An integer where it fits into one, else a real. */
-ps_object plb_ps_whole(double v);
+static inline ps_object ps_whole(double v) { return v >= INT32_MIN && v <= INT32_MAX ? ps_integer((int32_t)v) : ps_real(v); }
 
 /* A dictionary: entries in the order they came in (a key of type PS_NULL: removed); above a handful an index. */
 typedef struct {
@@ -115,20 +116,11 @@ struct ps_dict {
     uint16_t born;   /* the save during which it was made */
 };
 
-/* A stream of bytes in memory: the input file, a string that is executed or scanned, what a filter decoded. */
+/* A stream of bytes in memory: the input file, or a string that is executed or scanned. */
 struct ps_file {
     const char *at, *end;
-    int line;           /* of the byte at `at`; 0: lines are not counted */
-    bool is_string;     /* not what `currentfile` means */
-    const char *opaque; /* the name of the filter that was not decoded */
-    /* of a filter that was not read from yet: what decodes it, all at once, when it is */
-    bool (*open)(ps *p, ps_file *f);
-    ps_file *source;
-    const char *filter;
-    int32_t count;  /* SubFileDecode: marks to pass over */
-    ps_object mark;
-    ps_object proc; /* what a filter's procedure still has to deliver */
-    int until;      /* … up to this byte, -1: up to an empty string */
+    int line;       /* of the byte at `at`; 0: lines are not counted */
+    bool is_string; /* not what `currentfile` means */
 };
 
 /* ---- errors ----------------------------------------------------------------------------------------------- */
@@ -143,7 +135,7 @@ typedef enum {
 
 extern const char *const plb_ps_fault_names[PS_FAULT_COUNT];
 
-/* All return false. ps_fail puts "NAME:LINE: " before the text. */
+/* All return false. ps_fail puts "LINE: " before the text. */
 bool plb_ps_raise(ps *p, ps_fault fault);
 /* The same as raise, with a text for the user of its own. */
 bool plb_ps_explain(ps *p, ps_fault fault, const char *format, ...) __attribute__((format(printf, 3, 4)));
@@ -151,11 +143,6 @@ bool plb_ps_undefined(ps *p, ps_object key);
 /* For operators that would reach outside the input. */
 bool plb_ps_refuse(ps *p);
 bool plb_ps_fail(ps *p, error_kind kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
-/* After an operator returned false: runs the handler; false when the reading is over. */
-bool plb_ps_handle_fault(ps *p);
-/* `stop`: to the nearest `stopped`. */
-bool plb_ps_stop(ps *p);
-bool plb_ps_make_errordict(ps *p);
 /* Counts bulk work against the steps; false when they are used up. */
 bool plb_ps_charge(ps *p, size_t work);
 
@@ -222,10 +209,10 @@ typedef struct {
 } ps_change;
 
 struct ps {
-    const input_source *in;
+    const ps_request *ask;
     display_list *list;
     error err;
-    size_t steps, memory, path_points, list_bytes;
+    size_t steps, max_steps, memory, path_points, list_bytes;
     /* memory */
     ps_block *blocks;
     ARRAY(const ps_name *) names; /* hash table, NULL: free */
@@ -246,16 +233,18 @@ struct ps {
     int line;
     ps_fault fault, last_fault;
     int fault_line;
-    ps_file *pull;       /* what was called gave up: this file's procedure has to run first */
-    ps_object retry;     /* the file that was to be executed, when it was no operator that gave up */
     ps_object culprit;   /* the object that raised the fault */
     char detail[160];    /* more about it, or empty */
-    bool finished;       /* quit, or the page is complete */
-    bool page_shown;
+    bool finished;       /* quit, or all is known that was asked for */
+    bool page_shown;     /* the page that is wanted is complete: the program runs on only to see whether another follows */
+    bool another_page;   /* one does */
+    bool area_is_known, pages_are_known; /* from the comments, whatever the program will still draw */
+    bool wants_ghostscript; /* something on this page is left out that Ghostscript draws */
+    bool handed_over;       /* Ghostscript has it from here */
     unsigned page, page_wanted; /* shown so far, and the one to stop at; blank ones do not count */
     unsigned sheets;            /* shown so far, blank or not */
     /* dictionaries of the system */
-    ps_dict *systemdict, *userdict, *globaldict, *statusdict, *errordict, *error_info, *fonts, *built_in_fonts, *resources;
+    ps_dict *systemdict, *userdict, *globaldict, *statusdict, *errordict, *error_info, *fonts, *built_in_fonts;
     ps_object standard_encoding, latin1_encoding;
     ps_file *main_file;
     const char *program; /* all of it: main_file->at moves on */
@@ -279,6 +268,8 @@ static inline ps_state *ps_gs(ps *p) { return &p->states[p->state_count - 1]; }
 /* Operands: the lowest of the topmost `n`; the signature has made sure they are there. */
 static inline ps_object *ps_args(ps *p, unsigned n) { return p->operands + (p->operand_count - n); }
 static inline void ps_drop(ps *p, unsigned n) { p->operand_count -= n; }
+
+/* ps_operands.c */
 bool plb_ps_push(ps *p, ps_object o);
 /* Replaces the topmost `drop` operands by `result`. */
 bool plb_ps_give(ps *p, unsigned drop, ps_object result);
@@ -286,6 +277,11 @@ bool plb_ps_give(ps *p, unsigned drop, ps_object result);
 bool plb_ps_count_to_mark(ps *p, uint32_t *count);
 /* Checks the topmost operands against a signature (see above); raises stackunderflow or typecheck. */
 bool plb_ps_check(ps *p, const char *signature);
+/* A new frame, zeroed but for `step`; NULL: execstackoverflow raised. */
+ps_frame *plb_ps_push_frame(ps *p, bool (*step)(ps *, ps_frame *));
+void plb_ps_pop_frame(ps *p);
+/* Calls `then` once when what is pushed after it has ended. */
+ps_frame *plb_ps_push_then(ps *p, bool (*then)(ps *p, ps_frame *f));
 
 /* ps_vm.c: memory that lives as long as the interpreter. NULL: a fault or failure is set. */
 void *plb_ps_new(ps *p, size_t n, size_t size);
@@ -313,25 +309,23 @@ bool plb_ps_roll_back(ps *p, uint32_t save);
 ps_object *plb_ps_lookup(ps *p, ps_object key, ps_dict **where);
 bool plb_ps_equal(ps_object a, ps_object b);
 
-/* ps_run.c */
-bool plb_ps_run(ps *p);
-/* Executes an object as if its name had been called: procedures are entered, literals pushed. */
-bool plb_ps_execute(ps *p, ps_object o);
-/* A new frame, zeroed but for `step`; NULL: execstackoverflow raised. */
-ps_frame *plb_ps_push_frame(ps *p, bool (*step)(ps *, ps_frame *));
-void plb_ps_pop_frame(ps *p);
-/* Calls `then` once when what is pushed after it has ended. */
-ps_frame *plb_ps_push_then(ps *p, bool (*then)(ps *p, ps_frame *f));
-bool plb_ps_push_source(ps *p, ps_file *f);
-ps_file *plb_ps_current_file(ps *p);
-/* Reads one whole object (procedures too); TOKEN_END as `*ended`. */
+/* Adds the operators of a table, which ends with a NULL name. */
+bool plb_ps_add_operators(ps *p, ps_dict *d, const ps_operator *table);
+
+/* ps_tokens.c: reads one whole object (procedures too); TOKEN_END as `*ended`. */
 bool plb_ps_read_object(ps *p, ps_file *f, ps_object *out, bool *ended);
 ps_file *plb_ps_file_of_string(ps *p, ps_object string);
 
-/* ps_filter.c: every reading of a file that a program hands over starts with this. */
-bool plb_ps_open_file(ps *p, ps_file *f);
-/* Runs the procedure that p->pull waits for, then what gave up for it once more. */
-bool plb_ps_start_pull(ps *p);
+/* ps_execute.c: executes an object as if its name had been called: procedures are entered, literals pushed. */
+bool plb_ps_execute(ps *p, ps_object o);
+bool plb_ps_push_source(ps *p, ps_file *f);
+ps_file *plb_ps_current_file(ps *p);
+
+/* ps_run.c */
+bool plb_ps_run(ps *p);
+/* `stop`: to the nearest `stopped`. */
+bool plb_ps_stop(ps *p);
+bool plb_ps_make_errordict(ps *p);
 
 /* ps_state.c */
 bool plb_ps_save_state(ps *p);
@@ -369,15 +363,11 @@ bool plb_ps_paint_path(ps *p, item_kind kind, bool even_odd);
 bool plb_ps_clip_to_path(ps *p, bool even_odd);
 /* Device space; the page where there is no clip. */
 box plb_ps_clip_bounds(ps *p);
-/* Counts what the display list grows by; false: limit reached. */
-bool plb_ps_count_list(ps *p, const path *shape);
-
 /* ps_pattern.c: begins to fill the current path with the tiles of the pattern; `done` false: it cannot be so filled. */
 bool plb_ps_fill_with_tiles(ps *p, bool even_odd, bool *done);
 
 /* ps_text.c */
 bool plb_ps_make_fonts(ps *p);
-bool plb_ps_make_resources(ps *p); /* ps_resource.c */
 bool plb_ps_define_font(ps *p, ps_object key, ps_object font);
 bool plb_ps_find_font(ps *p, ps_object key, ps_object *font);
 /* What a Type 3 glyph that is being drawn does: says its width, paints with an image. */
@@ -386,10 +376,17 @@ void plb_ps_note_glyph_image(ps *p);
 
 /* ps_system.c: dictionaries, operators and fonts. */
 bool plb_ps_make_system(ps *p);
-bool plb_ps_add_operators(ps *p, ps_dict *d, const ps_operator *table);
 
 /* ps_page.c */
 bool plb_ps_page_has_something(const ps *p);
+/* Counts what the display list grows by; false: limit reached. */
+bool plb_ps_count_list(ps *p, const path *shape);
+/* Something leaves a mark. False: the page is complete already, the reading ends with this second one. */
+bool plb_ps_may_mark(ps *p);
+/* Something that would leave a mark is left out. */
+void plb_ps_omit(ps *p, omission_kind kind);
+/* The same of something that Ghostscript draws: true when the reading ends here, for it to take over. */
+bool plb_ps_leave_to_ghostscript(ps *p, omission_kind kind);
 bool plb_ps_set_page_size(ps *p, double width, double height);
 
 /* ps_colour.c: how many components a colour space has. */
@@ -398,9 +395,9 @@ unsigned plb_ps_components(ps *p, ps_object space);
 /* The operator tables, each ended by a NULL name. */
 extern const ps_operator plb_ps_stack_operators[], plb_ps_arithmetic_operators[], plb_ps_relation_operators[],
     plb_ps_control_operators[], plb_ps_array_operators[], plb_ps_dict_operators[], plb_ps_string_operators[],
-    plb_ps_type_operators[], plb_ps_file_operators[], plb_ps_filter_operators[], plb_ps_matrix_operators[],
+    plb_ps_type_operators[], plb_ps_file_operators[], plb_ps_matrix_operators[],
     plb_ps_state_operators[], plb_ps_gstate_operators[], plb_ps_colour_operators[], plb_ps_path_operators[], plb_ps_whole_path_operators[],
-    plb_ps_paint_operators[], plb_ps_clip_operators[], plb_ps_pattern_operators[], plb_ps_font_operators[], plb_ps_text_operators[], plb_ps_image_operators[], plb_ps_resource_operators[],
-    plb_ps_page_operators[], plb_ps_system_operators[];
+    plb_ps_paint_operators[], plb_ps_clip_operators[], plb_ps_pattern_operators[], plb_ps_font_operators[], plb_ps_text_operators[], plb_ps_image_operators[],
+    plb_ps_page_operators[], plb_ps_foreign_operators[], plb_ps_system_operators[];
 
 #endif

@@ -5,6 +5,8 @@
  */
 #include "tap/ps/ps_dsc.h"
 
+#include "tap/ps/postscript.h"
+
 #include "base/number/number.h"
 
 #include <stdint.h>
@@ -17,7 +19,7 @@ static uint32_t little_endian(const char *p)
     return u[0] | (uint32_t)u[1] << 8 | (uint32_t)u[2] << 16 | (uint32_t)u[3] << 24;
 }
 
-void plb_dsc_find_program(const char *data, size_t size, const char **program, size_t *length)
+void plb_ps_find_program(const char *data, size_t size, const char **program, size_t *length)
 {
     *program = data;
     *length = size;
@@ -162,17 +164,4 @@ void plb_dsc_read(const char *program, size_t length, double largest, ps_dsc *ou
         }
     }
     settle_box(&plain, &fine, largest, out);
-}
-
-bool plb_dsc_has_page(const char *program, size_t length)
-{
-    const char *at = program, *end = program + length, *line;
-    size_t n;
-    while (next_line(&at, end, &line, &n)) {
-        if (value_of(line, n, "%%Page:"))
-            return true;
-        if (n >= 8 && line[0] != '%' && !memcmp(line + n - 8, "showpage", 8))
-            return true;
-    }
-    return false;
 }

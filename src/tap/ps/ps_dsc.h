@@ -21,10 +21,6 @@ typedef struct {
     int pages;      /* 0: not said */
 } ps_dsc;
 
-/* The PostScript part of a file: without a DOS EPS header and previews, or a printer's job header. */
-void plb_dsc_find_program(const char *data, size_t size, const char **program, size_t *length);
 void plb_dsc_read(const char *program, size_t length, double largest, ps_dsc *out);
-/* Does a new page start in these bytes? */
-bool plb_dsc_has_page(const char *program, size_t length);
 
 #endif

@@ -58,7 +58,7 @@ bool plb_ps_clip_to_path(ps *p, bool even_odd)
     ps_state *g = ps_gs(p);
     const path *shape = &g->path->path;
     clip c = {.even_odd = even_odd, .parent = g->clip};
-    if (g->is_outline) /* the area of a line is not known here: leave it unclipped */
+    if (g->is_outline || p->page_shown) /* the area of a line is not known here: leave it unclipped; the list is complete */
         return true;
     if (encloses_nothing(shape)) {
         g->nothing_visible = true;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript images are not drawn: their data are read past, so that what follows in the file is understood, and
- * they are counted (PLRM, section 4.10).
+ * PostScript images are left out whoever reads the file, so they are no reason to ask Ghostscript: their data are read
+ * past, so that what follows is understood, and they are counted (PLRM, section 4.10). Glyphs of bitmaps need the same.
  */
 #include "tap/ps/ps.h"
 
@@ -32,7 +32,7 @@ static bool step_image(ps *p, ps_frame *f)
 
 static void skip_file(ps_file *f, double bytes)
 {
-    size_t left = (size_t)(f->end - f->at), n = f->opaque || bytes >= (double)left ? left : (size_t)bytes;
+    size_t left = (size_t)(f->end - f->at), n = bytes >= (double)left ? left : (size_t)bytes;
     for (size_t i = 0; f->line && i < n; i++)
         f->line += f->at[i] == '\n';
     f->at += n;
@@ -43,11 +43,9 @@ static bool consume(ps *p, ps_object sources, double bytes)
 {
     for (uint32_t i = 0; i < sources.n; i++) {
         ps_object source = sources.as.array[i];
-        if (source.type == PS_FILE) {
-            if (!plb_ps_open_file(p, source.as.file))
-                return false;
+        if (source.type == PS_FILE)
             skip_file(source.as.file, bytes / sources.n);
-        } else if (source.type != PS_STRING && !ps_is_proc(source))
+        else if (source.type != PS_STRING && !ps_is_proc(source))
             return plb_ps_raise(p, PS_TYPECHECK);
     }
     if (!sources.n || !ps_is_proc(sources.as.array[0]))
@@ -65,7 +63,7 @@ static void count_image(ps *p)
     if (p->showing)
         plb_ps_note_glyph_image(p);
     else if (!ps_gs(p)->no_output)
-        p->list->omissions.n[OMISSION_IMAGE]++;
+        plb_ps_omit(p, OMISSION_IMAGE);
 }
 
 /* The bytes of an image whose rows are padded; negative: rangecheck raised. */

@@ -31,15 +31,56 @@ bool plb_ps_page_has_something(const ps *p)
     return p->list->items.n || lost[OMISSION_IMAGE] || lost[OMISSION_TEXT] || lost[OMISSION_PIXEL_TEXT];
 }
 
-/* Pages that have something on them count; the one that is wanted ends the reading. */
+bool plb_ps_count_list(ps *p, const path *shape)
+{
+    /* the item itself, its two blocks, and what malloc adds */
+    p->list_bytes += sizeof(item) + 96 + shape->ops.n + shape->points.n * sizeof(point);
+    return p->list_bytes <= PS_MAX_LIST_BYTES ||
+           plb_ps_fail(p, ERROR_LIMIT, "the drawing takes more than %zu MB", PS_MAX_LIST_BYTES >> 20);
+}
+
+bool plb_ps_may_mark(ps *p)
+{
+    if (!p->page_shown)
+        return true;
+    p->another_page = p->finished = true;
+    return false;
+}
+
+void plb_ps_omit(ps *p, omission_kind kind)
+{
+    if (plb_ps_may_mark(p))
+        p->list->omissions.n[kind]++;
+}
+
+/* Where the comments leave open what the page is the program runs on without the thing: it may still say. */
+bool plb_ps_leave_to_ghostscript(ps *p, omission_kind kind)
+{
+    plb_ps_omit(p, kind);
+    p->wants_ghostscript |= !p->page_shown;
+    if (p->ask->alone || p->page_shown || p->page + 1 != p->page_wanted || !p->pages_are_known ||
+        !(p->area_is_known || p->page_size_said))
+        return p->finished;
+    return p->handed_over = p->finished = true;
+}
+
+/* Pages that have something on them count. After the one that is wanted the program runs on, within bounds of its own,
+ * until the next one gets something, unless the user asked for this page. */
 static bool op_showpage(ps *p)
 {
+    if (p->page_shown)
+        return true;
     p->sheets++;
     p->page += plb_ps_page_has_something(p);
     if (p->page == p->page_wanted) {
-        p->finished = p->page_shown = true;
+        p->page_shown = true;
+        p->finished = p->ask->page != 0;
+        if (p->max_steps - p->steps > PS_MAX_STEPS_AFTER)
+            p->max_steps = p->steps + PS_MAX_STEPS_AFTER;
+        plb_ps_reset_graphics(p);
         return true;
     }
+    p->wants_ghostscript = false;
     clear_page(p);
     p->list->omissions = (omissions){.advice = ""};
     plb_ps_reset_graphics(p);
@@ -55,7 +96,8 @@ static bool op_copypage(ps *p)
 /* Paints the page white: what was drawn is gone. */
 static bool op_erasepage(ps *p)
 {
-    clear_page(p);
+    if (!p->page_shown)
+        clear_page(p);
     return true;
 }
 

@@ -7,14 +7,6 @@
 #include <math.h>
 #include <string.h>
 
-bool plb_ps_count_list(ps *p, const path *shape)
-{
-    /* the item itself, its two blocks, and what malloc adds */
-    p->list_bytes += sizeof(item) + 96 + shape->ops.n + shape->points.n * sizeof(point);
-    return p->list_bytes <= PS_MAX_LIST_BYTES ||
-           plb_ps_fail(p, ERROR_LIMIT, "the drawing takes more than %zu MB", PS_MAX_LIST_BYTES >> 20);
-}
-
 /* Without moves at the end, which draw nothing; false when nothing is left. */
 static bool trim(path *shape)
 {
@@ -52,7 +44,7 @@ static bool add_item(ps *p, item *it)
     const ps_state *g = ps_gs(p);
     if (!plb_path_append(&it->path, &g->path->path, MATRIX_IDENTITY))
         return plb_fail_memory(&p->err);
-    if (!trim(&it->path))
+    if (!trim(&it->path) || !plb_ps_may_mark(p))
         return true;
     it->paint = g->paint;
     it->clip = g->clip;
@@ -174,7 +166,8 @@ static bool op_shfill(ps *p)
 {
     double grey;
     mean_of_function(p, ps_args(p, 1)->as.dict, &grey);
-    p->list->omissions.n[OMISSION_SHADING]++;
+    if (plb_ps_leave_to_ghostscript(p, OMISSION_SHADING))
+        return true;
     if (!plb_ps_save_state(p))
         return false;
     box b = plb_ps_clip_bounds(p);

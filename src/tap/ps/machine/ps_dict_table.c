@@ -196,6 +196,14 @@ bool plb_ps_put_text(ps *p, ps_dict *d, const char *key, ps_object value)
     return name.as.name && plb_ps_put(p, d, name, value);
 }
 
+bool plb_ps_add_operators(ps *p, ps_dict *d, const ps_operator *table)
+{
+    for (; table->name; table++)
+        if (!plb_ps_put_text(p, d, table->name, (ps_object){.type = PS_OPERATOR, .executable = true, .as.op = table}))
+            return false;
+    return true;
+}
+
 /* The entry stays in place without a key that anything equals; its index slot stays taken. */
 static void erase(ps *p, ps_dict *d, ps_object key)
 {

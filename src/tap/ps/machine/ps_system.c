@@ -105,23 +105,15 @@ const ps_operator plb_ps_system_operators[] = {
     {NULL, NULL, NULL},
 };
 
-bool plb_ps_add_operators(ps *p, ps_dict *d, const ps_operator *table)
-{
-    for (; table->name; table++)
-        if (!plb_ps_put_text(p, d, table->name, (ps_object){.type = PS_OPERATOR, .executable = true, .as.op = table}))
-            return false;
-    return true;
-}
-
 static bool add_all_operators(ps *p)
 {
     static const ps_operator *const tables[] = {
         plb_ps_stack_operators, plb_ps_arithmetic_operators, plb_ps_relation_operators, plb_ps_control_operators,
         plb_ps_array_operators, plb_ps_dict_operators, plb_ps_string_operators, plb_ps_type_operators,
-        plb_ps_file_operators, plb_ps_filter_operators, plb_ps_matrix_operators, plb_ps_state_operators,
+        plb_ps_file_operators, plb_ps_matrix_operators, plb_ps_state_operators,
         plb_ps_colour_operators, plb_ps_path_operators, plb_ps_whole_path_operators, plb_ps_paint_operators,
         plb_ps_clip_operators, plb_ps_gstate_operators, plb_ps_pattern_operators, plb_ps_font_operators, plb_ps_text_operators, plb_ps_image_operators,
-        plb_ps_resource_operators, plb_ps_page_operators, plb_ps_system_operators,
+        plb_ps_page_operators, plb_ps_foreign_operators, plb_ps_system_operators,
     };
     for (size_t i = 0; i < sizeof tables / sizeof *tables; i++)
         if (!plb_ps_add_operators(p, p->systemdict, tables[i]))
@@ -163,7 +155,7 @@ static bool add_dicts(ps *p)
 
 static bool make_dicts(ps *p)
 {
-    ps_dict **const all[] = {&p->systemdict, &p->globaldict, &p->userdict, &p->statusdict, &p->errordict, &p->error_info, &p->resources};
+    ps_dict **const all[] = {&p->systemdict, &p->globaldict, &p->userdict, &p->statusdict, &p->errordict, &p->error_info};
     for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
         *all[i] = plb_ps_new_dict(p, 64);
         if (!*all[i])
@@ -179,5 +171,5 @@ static bool make_dicts(ps *p)
 bool plb_ps_make_system(ps *p)
 {
     return make_dicts(p) && add_all_operators(p) && add_values(p) && add_dicts(p) && plb_ps_make_errordict(p) &&
-           plb_ps_make_fonts(p) && plb_ps_make_resources(p);
+           plb_ps_make_fonts(p);
 }

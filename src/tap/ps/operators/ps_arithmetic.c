@@ -8,13 +8,6 @@
 
 #include <math.h>
 
-ps_object plb_ps_whole(double v)
-{
-    if (v >= INT32_MIN && v <= INT32_MAX)
-        return ps_integer((int32_t)v);
-    return ps_real(v);
-}
-
 static bool give_real(ps *p, unsigned drop, double v)
 {
     return isfinite(v) ? plb_ps_give(p, drop, ps_real(v)) : plb_ps_raise(p, PS_UNDEFINEDRESULT);
@@ -24,7 +17,7 @@ static bool give_real(ps *p, unsigned drop, double v)
 static bool give_like(ps *p, const ps_object *v, double result)
 {
     if (v[0].type == PS_INTEGER && v[1].type == PS_INTEGER)
-        return plb_ps_give(p, 2, plb_ps_whole(result));
+        return plb_ps_give(p, 2, ps_whole(result));
     return give_real(p, 2, result);
 }
 
@@ -58,7 +51,7 @@ static bool op_idiv(ps *p)
     ps_object *v = ps_args(p, 2);
     if (!v[1].as.integer)
         return plb_ps_raise(p, PS_UNDEFINEDRESULT);
-    return plb_ps_give(p, 2, plb_ps_whole(trunc((double)v[0].as.integer / v[1].as.integer)));
+    return plb_ps_give(p, 2, ps_whole(trunc((double)v[0].as.integer / v[1].as.integer)));
 }
 
 static bool op_mod(ps *p)
@@ -72,7 +65,7 @@ static bool op_mod(ps *p)
 /* The operators of one operand that keep its type. */
 static bool keep_type(ps *p, double result)
 {
-    return plb_ps_give(p, 1, ps_args(p, 1)->type == PS_INTEGER ? plb_ps_whole(result) : ps_real(result));
+    return plb_ps_give(p, 1, ps_args(p, 1)->type == PS_INTEGER ? ps_whole(result) : ps_real(result));
 }
 
 static double top(ps *p)

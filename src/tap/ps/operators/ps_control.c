@@ -71,7 +71,7 @@ static bool step_for(ps *p, ps_frame *f)
         plb_ps_pop_frame(p);
         return true;
     }
-    ps_object now = f->index ? plb_ps_whole(f->now) : ps_real(f->now);
+    ps_object now = f->index ? ps_whole(f->now) : ps_real(f->now);
     f->now += f->by;
     return plb_ps_push(p, now) && plb_ps_execute(p, f->body);
 }

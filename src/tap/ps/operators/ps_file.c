@@ -24,8 +24,6 @@ static int next_byte(ps_file *f)
 
 static bool op_read(ps *p)
 {
-    if (!plb_ps_open_file(p, ps_args(p, 1)->as.file))
-        return false;
     int c = next_byte(ps_args(p, 1)->as.file);
     if (c < 0)
         return plb_ps_give(p, 1, ps_boolean(false));
@@ -44,8 +42,6 @@ static bool op_readstring(ps *p)
     ps_object *v = ps_args(p, 2), s = v[1];
     ps_file *f = v[0].as.file;
     uint32_t n = 0;
-    if (!plb_ps_open_file(p, f))
-        return false;
     for (int c; n < s.n && (c = next_byte(f)) >= 0; n++)
         s.as.string[n] = (char)c;
     return give_part(p, s, n, n == s.n);
@@ -75,8 +71,6 @@ static bool op_readhexstring(ps *p)
     ps_object *v = ps_args(p, 2), s = v[1];
     ps_file *f = v[0].as.file;
     uint32_t n = 0;
-    if (!plb_ps_open_file(p, f))
-        return false;
     for (; n < s.n; n++) {
         int high = next_digit(f), low = high < 0 ? -1 : next_digit(f);
         if (low < 0)
@@ -91,8 +85,6 @@ static bool op_readline(ps *p)
     ps_object *v = ps_args(p, 2), s = v[1];
     ps_file *f = v[0].as.file;
     uint32_t n = 0;
-    if (!plb_ps_open_file(p, f))
-        return false;
     int c;
     while ((c = next_byte(f)) >= 0 && c != '\n' && c != '\r') {
         if (n >= s.n)
@@ -112,7 +104,7 @@ static bool op_token(ps *p)
     if (!is_string && from.type != PS_FILE)
         return plb_ps_raise(p, PS_TYPECHECK);
     ps_file *f = is_string ? plb_ps_file_of_string(p, from) : from.as.file;
-    if (!f || !plb_ps_open_file(p, f) || !plb_ps_read_object(p, f, &o, &ended))
+    if (!f || !plb_ps_read_object(p, f, &o, &ended))
         return false;
     if (ended)
         return plb_ps_give(p, 1, ps_boolean(false));
@@ -128,14 +120,8 @@ static bool op_closefile(ps *p)
 {
     ps_file *f = ps_args(p, 1)->as.file;
     f->at = f->end;
-    f->open = NULL;
     ps_drop(p, 1);
     return true;
-}
-
-static bool op_flushfile(ps *p)
-{
-    return plb_ps_open_file(p, ps_args(p, 1)->as.file) && op_closefile(p);
 }
 
 static bool op_bytesavailable(ps *p)
@@ -195,8 +181,6 @@ static bool op_eexec(ps *p)
     ps_object from = *ps_args(p, 1);
     if (from.type != PS_FILE)
         return plb_ps_raise(p, PS_TYPECHECK);
-    if (!plb_ps_open_file(p, from.as.file))
-        return false;
     if (!skip_encrypted(from.as.file))
         return plb_ps_fail(p, ERROR_UNSUPPORTED, "an encrypted font whose end cannot be found");
     ps_drop(p, 1);
@@ -218,7 +202,7 @@ const ps_operator plb_ps_file_operators[] = {
     {"readline", "fs", op_readline},
     {"token", "x", op_token},
     {"closefile", "f", op_closefile},
-    {"flushfile", "f", op_flushfile},
+    {"flushfile", "f", op_closefile},
     {"resetfile", "f", op_drop_one},
     {"bytesavailable", "f", op_bytesavailable},
     {"status", "x", op_status},

@@ -73,7 +73,7 @@ static bool op_cvi(ps *p)
     ps_object number;
     if (!number_of(p, *ps_args(p, 1), &number))
         return false;
-    ps_object whole = plb_ps_whole(trunc(ps_value(number)));
+    ps_object whole = ps_whole(trunc(ps_value(number)));
     return whole.type == PS_INTEGER ? plb_ps_give(p, 1, whole) : plb_ps_raise(p, PS_RANGECHECK);
 }
 
@@ -154,7 +154,7 @@ static bool op_cvrs(ps *p)
         const char *decimal = text_of(v[0], text, &n);
         return fill_string(p, 3, decimal, n);
     }
-    ps_object whole = plb_ps_whole(trunc(ps_value(v[0])));
+    ps_object whole = ps_whole(trunc(ps_value(v[0])));
     if (whole.type != PS_INTEGER)
         return plb_ps_raise(p, PS_RANGECHECK);
     uint32_t rest = (uint32_t)whole.as.integer;

@@ -6,16 +6,9 @@
  */
 #include "tap/ps/ps.h"
 
-#include <string.h>
-
-/* Widths of Helvetica's characters 32 to 126 in thousandths of the size (Adobe's Core14 metrics): a fair guess for
- * most fonts of diagrams. */
-static const short widths[] = {
-    278, 278, 355, 556, 556, 889, 667, 222, 333, 333, 389, 584, 278, 333, 278, 278, 556, 556, 556, 556, 556, 556, 556, 556,
-    556, 556, 278, 278, 584, 584, 584, 556, 1015, 667, 667, 722, 722, 667, 611, 778, 722, 278, 500, 667, 556, 833, 722, 778,
-    667, 778, 722, 667, 611, 722, 667, 944, 667, 667, 611, 278, 278, 278, 469, 556, 222, 556, 556, 500, 556, 556, 278, 556,
-    556, 222, 222, 500, 222, 833, 556, 556, 556, 556, 333, 500, 278, 556, 500, 722, 500, 500, 500, 334, 260, 334, 584,
-};
+/* The advance of a letter that is not drawn, in sizes of its font: Helvetica's digits and most small letters are so wide
+ * (Adobe's Core14 metrics). */
+#define MEAN_WIDTH 0.556
 
 typedef struct ps_show {
     struct ps_show *outer;
@@ -26,7 +19,7 @@ typedef struct ps_show {
     ps_object shifts;       /* xshow and kin: numbers that replace the widths, `shift_step` for each character */
     ps_object between;      /* kshow: called between characters; cshow: called for each */
     unsigned shift_step;
-    bool shift_x, shift_y, only_measure, calls_for_each, no_glyphs, is_monospaced;
+    bool shift_x, shift_y, only_measure, calls_for_each, no_glyphs;
     point extra, extra_of_one; /* added to each advance; to that of the character `one` */
     int one;
     uint32_t next;
@@ -37,28 +30,11 @@ typedef struct ps_show {
 
 /* ---- widths ----------------------------------------------------------------------------------------------- */
 
-static bool is_monospaced(ps *p, const ps_dict *font)
+/* In user space; Type 1 fonts measure in thousandths of the size, which their matrix knows, TrueType fonts in ones. */
+static point estimated_width(const ps_show *s)
 {
-    size_t n;
-    ps_object *name = plb_ps_get_text(p, font, "FontName");
-    if (!name || (name->type != PS_NAME && name->type != PS_STRING))
-        return false;
-    const char *text = plb_ps_text(*name, &n);
-    for (size_t i = 0; i + 4 <= n && i < 200; i++)
-        if (!memcmp(text + i, "Cour", 4) || !memcmp(text + i, "Mono", 4))
-            return true;
-    return false;
-}
-
-/* In user space; Type 1 fonts measure in thousandths, TrueType fonts in ones. */
-static point estimated_width(const ps_show *s, int c)
-{
-    double w = s->is_monospaced ? 600 : c >= 32 && c <= 126 ? widths[c - 32] : 556;
-    if (s->type != 1 && s->type != 2 && s->type != 3)
-        w /= 1000;
-    else if (s->type == 3)
-        w *= 0.001 / (plb_matrix_expansion(s->matrix) < 0.1 ? 0.001 : 1);
-    return plb_matrix_apply_vector(s->matrix, (point){w, 0});
+    bool in_thousandths = s->type == 1 || s->type == 2 || (s->type == 3 && plb_matrix_expansion(s->matrix) < 0.1);
+    return plb_matrix_apply_vector(s->matrix, (point){in_thousandths ? 1000 * MEAN_WIDTH : MEAN_WIDTH, 0});
 }
 
 void plb_ps_note_glyph_width(ps *p, point width)
@@ -149,7 +125,8 @@ static void drop_show(ps *p, ps_frame *f)
     ps_show *s = f->data;
     leave_glyph(p, s);
     p->showing = s->outer;
-    p->list->omissions.n[OMISSION_PIXEL_TEXT] += s->has_image && !s->only_measure;
+    if (s->has_image && !s->only_measure)
+        plb_ps_omit(p, OMISSION_PIXEL_TEXT);
 }
 
 static bool call_between(ps *p, const ps_show *s)
@@ -161,7 +138,7 @@ static bool call_between(ps *p, const ps_show *s)
 /* cshow: the character's code and width, and nothing is drawn. */
 static bool call_for_each(ps *p, const ps_show *s, uint32_t i)
 {
-    point w = estimated_width(s, code_at(s, i));
+    point w = estimated_width(s);
     return plb_ps_push(p, ps_integer(code_at(s, i))) && plb_ps_push(p, ps_real(w.x)) && plb_ps_push(p, ps_real(w.y)) &&
            plb_ps_execute(p, s->between);
 }
@@ -191,7 +168,7 @@ static bool step_show(ps *p, ps_frame *f)
         return false;
     if (s->type == 3 && !s->no_glyphs)
         return start_glyph(p, s, s->next);
-    if (!advance(p, s, s->next, estimated_width(s, code_at(s, s->next))))
+    if (!advance(p, s, s->next, estimated_width(s)))
         return false;
     s->next++;
     return s->between.type != PS_ARRAY || s->next >= length_of(s) || call_between(p, s);
@@ -208,7 +185,6 @@ static bool find_font(ps *p, ps_show *s)
     ps_object *m = plb_ps_get_text(p, s->font, "FontMatrix"), *type = plb_ps_get_text(p, s->font, "FontType");
     if (!m)
         return plb_ps_raise(p, PS_INVALIDFONT);
-    s->is_monospaced = is_monospaced(p, s->font);
     s->type = type && type->type == PS_INTEGER ? type->as.integer : 1;
     return plb_ps_get_matrix(p, *m, &s->matrix);
 }
@@ -219,7 +195,8 @@ static bool show(ps *p, ps_show plan, unsigned n)
     if (!find_font(p, &plan) || (!plan.only_measure && !plb_ps_current_point(p, &plan.pen)))
         return false;
     bool drawn = (plan.type == 3 && !plan.no_glyphs) || plan.only_measure || plan.calls_for_each || !length_of(&plan);
-    p->list->omissions.n[OMISSION_TEXT] += !drawn && !ps_gs(p)->no_output;
+    if (!drawn && !ps_gs(p)->no_output && plb_ps_leave_to_ghostscript(p, OMISSION_TEXT))
+        return true;
     ps_show *s = plb_ps_new(p, 1, sizeof *s);
     ps_frame *f = s ? plb_ps_push_frame(p, step_show) : NULL;
     if (!f)
