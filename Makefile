@@ -53,16 +53,14 @@ CFLAGS_surface = $(CFLAGS_stroke)
 # Folders lie in folders: all of a layer, however deep.
 below    = $(sort $(shell find $(1) -name '$(2)'))
 layers   = base system list profile input plan stroke surface api
-lib_src  = $(foreach d,$(layers),$(call below,src/$(d),*.c)) $(reader_src)
-# The readers of foreign formats that still run in the library's own process.
-reader_src = $(call below,src/tap/ps,*.c) src/tap/common/scan.c
+lib_src  = $(foreach d,$(layers),$(call below,src/$(d),*.c))
 lib_obj  = $(lib_src:src/%.c=$(O)/%.o)
 pencils  = $(wildcard profiles/*.pencil)
 c_tests  = $(wildcard tests/unit/*.c tests/stat/*.c tests/stage/*.c)
 c_tools  = $(wildcard tests/tools/*.c)
 examples_c = $(wildcard examples/*.c)
 
-programs = $(O)/plumbago $(O)/plumbago-profile $(O)/tap-svg $(O)/tap-plain $(O)/tap-dxf
+programs = $(O)/plumbago $(O)/plumbago-profile $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-dxf
 fuzzers  = $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 tests_bin = $(c_tests:tests/%.c=$(O)/tests/%) $(c_tools:tests/%.c=$(O)/tests/%) $(fuzzers:%=$(O)/tests/fuzz/fuzz_%)
 
@@ -120,7 +118,7 @@ tap_common = $(patsubst %,$(O)/tap/common/%.o,$(1))
 script_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/cairoscript*.c)) $(call tap_common,tap_area)
 svg_obj   = $(O)/tap/svg/tap_svg.o $(script_obj) $(call tap_common,tap_memory tap_omissions tap_page) $(tap_base)
 plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain/plain_*.c)) $(call tap_common,tap_area tap_page)
-tap_obj   = $(patsubst src/%.c,$(O)/%.o,$(filter-out $(reader_src),$(call below,src/tap,*.c)))
+tap_obj   = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tap/ps/%,$(call below,src/tap,*.c)))
 $(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/flags
 	$(say) CC $<
 	@mkdir -p $(@D)
@@ -135,6 +133,13 @@ $(O)/tap-svg: $(svg_obj)
 $(O)/tap-plain: $(O)/tap/plain/tap_plain.o $(plain_obj) $(tap_base)
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_tap) $(filter %.o,$^) $(shell pkg-config --libs $(packages_plain)) -lm -o $@
+
+# All of this one is ours, so it is built, also for the sanitizers, as the library is.
+ps_obj = $(patsubst src/%.c,$(O)/%.o,$(filter-out %/tap_ps.c,$(call below,src/tap/ps,*.c)) src/tap/common/scan.c)
+ps_base = $(patsubst src/%.c,$(O)/%.o,$(call below,src/base,*.c) $(call below,src/list,*.c))
+$(O)/tap-ps: $(O)/tap/ps/tap_ps.o $(ps_obj) $(ps_base)
+	$(say) LINK $@
+	$(Q)$(CC) $(LDFLAGS_ALL) $(filter %.o,$^) -lm -o $@
 
 # The other tap is a script around the library ezdxf.
 $(O)/tap-dxf: src/tap/dxf/tap_dxf.py
@@ -151,7 +156,9 @@ tool_parts = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tool/plumbago.c src/to
 link_harness = $(Q)mkdir -p $(@D) && $(CC) $(CFLAGS_ALL) -UNDEBUG -Itests/fuzz $(shell pkg-config --cflags $(packages_lib)) $(filter %.c %.o,$^) $(filter %.a,$^) $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) $(LIBS_$(notdir $@)) -lm -pthread -o $@
 LIBS_fuzz_plain_svg = $(shell pkg-config --libs $(packages_plain))
 $(O)/tests/fuzz/fuzz_plain_svg $(O)/fuzz_plain_svg: $(plain_obj)
-$(O)/tests/fuzz/fuzz_cairoscript $(O)/fuzz_cairoscript $(O)/tests/unit/test_cairoscript: $(script_obj)
+$(O)/tests/fuzz/fuzz_cairoscript $(O)/fuzz_cairoscript $(O)/tests/unit/test_cairoscript: $(script_obj) $(call tap_common,scan)
+$(O)/tests/fuzz/fuzz_postscript $(O)/fuzz_postscript $(O)/tests/unit/test_postscript $(O)/tests/stage/postscript $(O)/tests/failing/test_allocations: $(ps_obj)
+$(O)/tests/unit/test_scan: $(call tap_common,scan)
 $(O)/tests/fuzz/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/replay.c tests/fuzz/fuzz.h $(tool_parts) $(O)/libplumbago.a
 	$(say) LINK $@
 	$(link_harness)
@@ -262,7 +269,7 @@ dest = $(DESTDIR)$(PREFIX)
 install: all
 	install -d "$(dest)/bin" "$(dest)/libexec/plumbago" "$(dest)/include" "$(dest)/lib/pkgconfig" "$(dest)/share/plumbago/profiles"
 	install $(O)/plumbago $(O)/plumbago-profile "$(dest)/bin"
-	install $(O)/tap-svg $(O)/tap-plain $(O)/tap-dxf "$(dest)/libexec/plumbago"
+	install $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-dxf "$(dest)/libexec/plumbago"
 	install -m 644 src/api/plumbago.h "$(dest)/include"
 	install -m 644 $(O)/libplumbago.a "$(dest)/lib"
 	install -m 644 $(pencils) "$(dest)/share/plumbago/profiles"
@@ -314,4 +321,4 @@ help:
 	@echo 'make clean      removes build/'
 	@echo 'BUILD=release|debug|asan|ubsan|tsan|cover|failing|fuzz   CC=gcc|clang   V=1: show the commands'
 
--include $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(wildcard $(O)/tool/*.d $(O)/*.d $(O)/tests/*/*.d)
+-include $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(ps_obj:.o=.d) $(O)/tap/ps/tap_ps.d $(wildcard $(O)/tool/*.d $(O)/*.d $(O)/tests/*/*.d)

@@ -35,10 +35,11 @@ fill - gradient@0 0.5 0.5 0.5 1 nonzero M 4 4 L 8 4 L 8 8 L 4 8 Z
 end
 LIST
 cp "$ROOT/tests/stage/entities.dxf" drawings/small.dxf
-echo '%!PS << /PageSize [30 30] >> setpagedevice .6 setgray 5 5 moveto 25 5 lineto 25 25 lineto closepath fill showpage' | sed 's/ /\n/' >drawings/hatch.ps
+printf 'plumbago-list 1\npage 11 11\nfill - colour .6 .6 .6 1 nonzero M 2 2 L 9 2 L 9 9 Z\nend\n' >drawings/hatch.list
 "$BUILD_DIR/tap-svg" <drawings/small.svg >svg.out
+"$BUILD_DIR/tap-ps" <drawings/small.ps >ps.out
 "$BUILD_DIR/tap-dxf" <drawings/small.dxf >dxf.out 2>/dev/null
-for tap in svg dxf; do # in the script itself, by the shell alone: in their cage they may read no other file, nor start another program
+for tap in svg ps dxf; do # in the script itself, by the shell alone: in their cage they may read no other file, nor start another program
     {
         printf '#!/bin/sh\nwhile read -r l; do :; done\nwhile IFS= read -r l; do printf "%%s\\n" "$l"; done <<"THE END"\n'
         cat $tap.out

@@ -4,64 +4,178 @@
  * if it is installed; where Ghostscript fails on the file the tap draws the rest alone and the user hears what is
  * missing. A Ghostscript that was stopped by a limit, a full disk or a signal is no answer: then the reading fails.
  */
+#include "input/converter.h"
 #include "input/ghostscript.h"
-#include "tap/ps/postscript.h"
+#include "list/list_read.h"
 
+#include "base/number/number.h"
+
+#include <math.h>
+#include <stdio.h>
 #include <string.h>
 
-static ps_request request_of(const input_source *in, bool alone, bool only_count)
-{
-    return (ps_request){.data = in->data, .size = in->size, .page = in->page, .alone = alone, .only_count = only_count};
-}
+#define NOT_INSTALLED "fonts and shadings need Ghostscript and pdftocairo (Debian: ghostscript, poppler-utils), which are not installed"
+#define FAILS "fonts and shadings need Ghostscript, which fails on this file"
+#define WOULD_HELP "; Ghostscript would help (Debian: ghostscript, poppler-utils)"
+
+enum { TAP_DONE, TAP_USAGE, TAP_MALFORMED, TAP_REFUSED, TAP_WRITE, TAP_LIMIT, TAP_HANDED_OVER = 7 }; /* see tap_ps.c */
+
+typedef enum { DRAWN, FAILED, HANDED_OVER } outcome;
+
+typedef struct {
+    const char *page; /* --page N, --count or --alone */
+    bool alone;
+} manner;
+
+/* What the tap says of a file that it leaves to Ghostscript. */
+typedef struct {
+    gs_page page;
+    input_source program; /* the file without headers */
+    bool is_unknown;      /* it met something that it does not know: no mistake in the file */
+    char *reason, *warnings; /* lines in the process's message */
+} handover;
+
+/* ---- the tap ---------------------------------------------------------------------------------------------- */
 
 /* "NAME:LINE: what", or "NAME: what". */
-static bool fail_with(const input_source *in, ps_outcome outcome, const error *why, error *err)
+static bool fail_with(const input_source *in, error_kind kind, const char *text, const char *help, error *err)
 {
-    size_t digits = strspn(why->text, "0123456789");
-    bool has_line = digits && why->text[digits] == ':';
-    bool is_missed = outcome == PS_HANDED_OVER && why->kind == ERROR_UNSUPPORTED && !plb_ghostscript_is_there();
-    return plb_fail(err, why->kind, "%s:%s%s%s", in->name, has_line ? "" : " ", why->text,
-                    is_missed ? "; Ghostscript would help (Debian: ghostscript, poppler-utils)" : "");
+    size_t digits = strspn(text, "0123456789");
+    return plb_fail(err, kind, "%s:%s%.300s%s", in->name, digits && text[digits] == ':' ? "" : " ", *text ? text : "tap-ps gave up without a word", help);
 }
 
-static void pass_on(const input_source *in, const ps_answer *answer)
+static outcome explain_end(const input_source *in, process *p, error *err)
 {
-    for (int i = 0; answer->warnings[i]; i++)
-        plb_log(&in->say, MESSAGE_WARNING, "%s: %s", in->name, answer->warnings[i]);
+    static const error_kind kinds[] = {[TAP_MALFORMED] = ERROR_SYNTAX, [TAP_REFUSED] = ERROR_UNSUPPORTED, [TAP_LIMIT] = ERROR_LIMIT};
+    error_kind kind = ERROR_NONE;
+    if (!plb_converter_ended_by_itself(in, "tap-ps", p, err))
+        return FAILED;
+    if (p->end == PROCESS_EXITED && p->code == TAP_HANDED_OVER)
+        return HANDED_OVER;
+    if (p->end == PROCESS_EXITED && p->code <= TAP_LIMIT)
+        kind = kinds[p->code];
+    if (kind)
+        fail_with(in, kind, plb_converter_message(p), "", err);
+    else
+        plb_fail(err, ERROR_HELPER, "%s: the helper tap-ps failed (status %d): %.200s", in->name, p->code, plb_converter_message(p));
+    return FAILED;
 }
 
-static gs_page page_of(const input_source *in, const ps_answer *answer, input_source *program)
+static bool refill(void *closure, const char **data, size_t *size)
 {
-    *program = *in;
-    plb_ps_find_program(in->data, in->size, &program->data, &program->size);
-    return (gs_page){.sheet = answer->sheet, .lacks_showpage = answer->lacks_showpage, .area = answer->area};
+    return plb_process_read(closure, data, size);
 }
 
-/* Draws the page without Ghostscript: `why` it is not asked, or no help. */
+/* Runs the tap onto `list`, which stays as it was unless DRAWN comes of it; the page's number is checked. */
+static outcome run_tap(const input_source *in, manner how, process *p, display_list *list, unsigned long *pages, error *err)
+{
+    char program[PROCESS_PATH_MAX], number[16];
+    const char *argv[5] = {"tap-ps"};
+    int n = 1;
+    error reading = {ERROR_NONE, ""};
+    if (how.alone)
+        argv[n++] = "--alone";
+    if (how.page)
+        argv[n++] = how.page;
+    else if (in->page) {
+        snprintf(number, sizeof number, "%u", in->page);
+        argv[n++] = "--page";
+        argv[n++] = number;
+    }
+    argv[n] = NULL;
+    if (!plb_process_find(in->helper_dir, argv[0], program, &reading) || !plb_converter_start(in, argv[0], program, argv, p, &reading)) {
+        plb_fail(err, reading.kind, "%s: %s", in->name, reading.text);
+        return FAILED;
+    }
+    list_source from = {.refill = refill, .closure = p, .name = in->name, .say = in->say};
+    plb_list_read(&from, list, &reading);
+    bool stopped_early = !from.complete && p->out >= 0;
+    plb_process_finish(p);
+    *pages = from.pages;
+    if (from.complete && p->end == PROCESS_EXITED && p->code == TAP_DONE)
+        return DRAWN;
+    plb_list_free(list);
+    plb_list_init(list);
+    if (!stopped_early && (p->end != PROCESS_EXITED || p->code != TAP_DONE))
+        return explain_end(in, p, err);
+    bool plain = reading.kind == ERROR_LIMIT || reading.kind == ERROR_MEMORY;
+    plb_fail(err, reading.kind, "%s: %s%s", in->name, plain ? "" : "cannot read what tap-ps wrote: ", reading.text);
+    return FAILED;
+}
+
+static bool read_numbers(const char *text, double *out, int n)
+{
+    const char *end = text + strcspn(text, "\n");
+    for (int i = 0; i < n; i++) {
+        text += strspn(text, " ");
+        if (!plb_parse_number(text, end, &out[i], &text) || !isfinite(out[i]))
+            return false;
+    }
+    return true;
+}
+
+/* Cuts the first line of `text` off and gives the rest. */
+static char *next_line(char *text)
+{
+    size_t n = strcspn(text, "\n");
+    char *rest = text + n + (text[n] != '\0');
+    text[n] = '\0';
+    return rest;
+}
+
+/* Reads what the tap wrote when it handed over; nothing that it says is believed beyond its bounds. */
+static bool read_handover(const input_source *in, process *p, handover *out, error *err)
+{
+    enum { SHEET, LACKS_SHOWPAGE, X0, Y0, X1, Y1, START, LENGTH, UNKNOWN, COUNT };
+    const double largest = 1e6;
+    double v[COUNT];
+    bool good = read_numbers(p->message, v, COUNT) && v[SHEET] >= 0 && v[SHEET] <= largest && v[START] >= 0 && v[LENGTH] >= 0 &&
+                v[START] + v[LENGTH] <= (double)in->size && fabs(v[X0]) < largest && fabs(v[Y0]) < largest && v[X1] > v[X0] &&
+                v[Y1] > v[Y0] && v[X1] - v[X0] < largest && v[Y1] - v[Y0] < largest;
+    if (!good)
+        return plb_fail(err, ERROR_HELPER, "%s: cannot read what tap-ps wrote", in->name);
+    *out = (handover){.program = *in, .is_unknown = v[UNKNOWN] != 0};
+    out->page = (gs_page){.sheet = (unsigned)v[SHEET], .lacks_showpage = v[LACKS_SHOWPAGE] != 0, .area = {v[X0], v[Y0], v[X1], v[Y1]}};
+    out->program.data += (size_t)v[START];
+    out->program.size = (size_t)v[LENGTH];
+    out->reason = next_line(p->message);
+    out->warnings = next_line(out->reason);
+    return true;
+}
+
+static bool has_page(const input_source *in, unsigned long pages, error *err)
+{
+    return !pages || in->page <= pages || plb_fail(err, ERROR_ARGUMENT, "%s: it has no page %u, only %lu", in->name, in->page, pages);
+}
+
+/* ---- Ghostscript ------------------------------------------------------------------------------------------ */
+
+/* Draws the page without Ghostscript; `why` tells what it would need, or do. */
 static bool draw_alone(const input_source *in, const char *why, display_list *list, error *err)
 {
-    ps_request ask = request_of(in, true, false);
-    ps_answer answer;
-    error reason = {0};
-    ps_outcome outcome = plb_ps_read(&ask, list, &answer, &reason);
-    if (outcome != PS_DRAWN)
-        return fail_with(in, outcome, &reason, err);
-    if (answer.pages && in->page > answer.pages)
-        return plb_fail(err, ERROR_ARGUMENT, "%s: it has no page %u, only %u", in->name, in->page, answer.pages);
+    process p;
+    unsigned long pages = 0;
+    handover rest;
+    outcome o = run_tap(in, (manner){.alone = true}, &p, list, &pages, err);
+    if (o == HANDED_OVER)
+        return read_handover(in, &p, &rest, err) &&
+               fail_with(in, rest.is_unknown ? ERROR_UNSUPPORTED : ERROR_SYNTAX, rest.reason, rest.is_unknown && !plb_ghostscript_is_there() ? WOULD_HELP : "", err);
+    if (o == FAILED || !has_page(in, pages, err))
+        return false;
     if (list->omissions.n[OMISSION_TEXT] || list->omissions.n[OMISSION_SHADING])
         plb_omissions_advise(&list->omissions, why);
-    pass_on(in, &answer);
     return true;
 }
 
 /* Ghostscript's answer counts; so does its end by a limit or for want of memory or disk, which another run may not meet.
  * False, with `err` empty: it cannot read the file. */
-static bool draw_by_ghostscript(const input_source *in, const ps_answer *answer, const error *reason, display_list *list, error *err)
+static bool draw_by_ghostscript(const input_source *in, process *p, display_list *list, error *err)
 {
-    error why = {0};
-    input_source program;
-    gs_page page = page_of(in, answer, &program);
-    if (!plb_read_by_ghostscript(&program, &page, list, &why)) {
+    error why = {ERROR_NONE, ""};
+    handover rest;
+    if (!read_handover(in, p, &rest, err))
+        return false;
+    if (!plb_read_by_ghostscript(&rest.program, &rest.page, list, &why)) {
         plb_list_free(list);
         plb_list_init(list);
         if (why.kind != ERROR_UNSUPPORTED && why.kind != ERROR_SYNTAX)
@@ -70,47 +184,45 @@ static bool draw_by_ghostscript(const input_source *in, const ps_answer *answer,
         return false;
     }
     list->omissions.n[OMISSION_MASK] = list->omissions.n[OMISSION_FILTER] = 0; /* so images come that are stencils */
-    plb_log(&in->say, MESSAGE_DETAIL, "%s:%s; read by Ghostscript", in->name, reason->text);
-    pass_on(in, answer);
+    plb_log(&in->say, MESSAGE_DETAIL, "%s:%s; read by Ghostscript", in->name, rest.reason);
+    for (char *line = rest.warnings, *next; *line; line = next) {
+        next = next_line(line);
+        plb_log(&in->say, MESSAGE_WARNING, "%s: %s", in->name, line);
+    }
     return true;
 }
 
 bool plb_read_postscript(const input_source *in, display_list *list, error *err)
 {
+    process p;
+    unsigned long pages = 0;
+    error why = {ERROR_NONE, ""};
     if (!plb_ghostscript_is_there())
-        return draw_alone(in, "fonts and shadings need Ghostscript and pdftocairo (Debian: ghostscript, poppler-utils), which are not installed", list, err);
-    ps_request ask = request_of(in, false, false);
-    ps_answer answer;
-    error reason = {0};
-    ps_outcome outcome = plb_ps_read(&ask, list, &answer, &reason);
-    if (outcome == PS_FAILED)
-        return fail_with(in, outcome, &reason, err);
-    if (outcome == PS_HANDED_OVER) {
-        plb_list_free(list);
-        plb_list_init(list);
-        return draw_by_ghostscript(in, &answer, &reason, list, err) ||
-               (!err->kind && draw_alone(in, "fonts and shadings need Ghostscript, which fails on this file", list, err));
-    }
-    if (answer.pages && in->page > answer.pages)
-        return plb_fail(err, ERROR_ARGUMENT, "%s: it has no page %u, only %u", in->name, in->page, answer.pages);
-    pass_on(in, &answer);
-    return true;
+        return draw_alone(in, NOT_INSTALLED, list, err);
+    outcome o = run_tap(in, (manner){.alone = false}, &p, list, &pages, err);
+    if (o != HANDED_OVER)
+        return o == DRAWN && has_page(in, pages, err);
+    if (draw_by_ghostscript(in, &p, list, &why))
+        return true;
+    return why.kind ? plb_fail(err, why.kind, "%s", why.text) : draw_alone(in, FAILS, list, err);
 }
 
 bool plb_count_postscript_pages(const input_source *in, unsigned *pages, error *err)
 {
-    ps_request ask = request_of(in, !plb_ghostscript_is_there(), true);
-    ps_answer answer;
+    process p;
     display_list list;
-    error reason = {0};
+    unsigned long counted = 0;
+    handover rest;
+    error why = {ERROR_NONE, ""};
+    bool there = plb_ghostscript_is_there();
     plb_list_init(&list);
-    ps_outcome outcome = plb_ps_read(&ask, &list, &answer, &reason);
+    outcome o = run_tap(in, (manner){.page = "--count", .alone = !there}, &p, &list, &counted, err);
     plb_list_free(&list);
-    *pages = answer.pages;
-    if (outcome == PS_DRAWN)
-        return true;
-    input_source program;
-    gs_page page = page_of(in, &answer, &program);
-    error why = {0};
-    return (outcome == PS_HANDED_OVER && plb_count_pages_by_ghostscript(&program, &page, pages, &why)) || fail_with(in, outcome, &reason, err);
+    *pages = counted ? (unsigned)counted : 1;
+    if (o != HANDED_OVER)
+        return o == DRAWN;
+    if (!read_handover(in, &p, &rest, err))
+        return false;
+    return (there && plb_count_pages_by_ghostscript(&rest.program, &rest.page, pages, &why)) ||
+           fail_with(in, rest.is_unknown ? ERROR_UNSUPPORTED : ERROR_SYNTAX, rest.reason, rest.is_unknown && !there ? WOULD_HELP : "", err);
 }

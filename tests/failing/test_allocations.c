@@ -12,6 +12,7 @@
 #include "input/input.h"
 #include "plan/plan.h"
 #include "profile/profile.h"
+#include "tap/ps/postscript.h"
 
 #include <sanitizer/common_interface_defs.h>
 #include <stdatomic.h>
@@ -109,7 +110,27 @@ static outcome draw(const void *what)
 static void svg(void) { fail_each_way(draw, "small.svg", 1, 13); }
 static void postscript(void) { fail_each_way(draw, "small.ps", 1, 17); }
 static void list_text(void) { fail_each_way(draw, "small.list", 1, 11); }
-static void hatching(void) { fail_each_way(draw, "hatch.ps", 101, 7); }
+static void hatching(void) { fail_each_way(draw, "hatch.list", 101, 7); }
+
+static outcome interpret(const void *what)
+{
+    static char program[4096];
+    char file[4096];
+    snprintf(file, sizeof file, "%s/%s", drawings, (const char *)what);
+    FILE *from = fopen(file, "rb");
+    size_t n = from ? fread(program, 1, sizeof program, from) : 0;
+    if (from)
+        fclose(from);
+    error err = {ERROR_NONE, ""};
+    display_list list;
+    ps_answer answer;
+    ps_request ask = {.data = program, .size = n};
+    plb_list_init(&list);
+    bool good = plb_ps_read(&ask, &list, &answer, &err) == PS_DRAWN && list.items.n == 3;
+    plb_list_free(&list);
+    return outcome_of(good, &err);
+}
+static void interpreter(void) { fail_each_way(interpret, "small.ps", 1, 17); }
 static void dxf(void) { fail_each_way(draw, "small.dxf", 1, 19); }
 
 static outcome read_profile(const void *what)
@@ -150,6 +171,7 @@ int main(int argc, char **argv)
     RUN(svg);
     RUN(postscript);
     RUN(list_text);
+    RUN(interpreter);
     RUN(hatching);
     RUN(dxf);
     RUN(profile_file);

@@ -339,6 +339,9 @@ static void fonts_filters_and_resources_are_left_to_ghostscript(void)
     CHECK(ask((ps_request){.data = later, .size = strlen(later), .page = 2}) == PS_HANDED_OVER);
     CHECK(answer.sheet == 2 && answer.area.x1 == 70 && answer.area.y1 == 80);
     CHECK(ask((ps_request){.data = later, .size = strlen(later)}) == PS_HANDED_OVER && said("only the first page"));
+    static const char unshown[] = "%!PS\n0 0 moveto 9 9 lineto stroke showpage " SET "\n(x) show";
+    CHECK(ask((ps_request){.data = unshown, .size = strlen(unshown), .page = 2}) == PS_HANDED_OVER);
+    CHECK(answer.sheet == 2 && answer.lacks_showpage && strstr(fault.text, "3: 'show' is left"));
     CHECK(ask((ps_request){.data = later, .size = strlen(later), .only_count = true}) == PS_DRAWN && answer.pages == 2);
     CHECK(fails("/x /y findresource", "the PostScript operator 'findresource' is not known"));
     CHECK(holds("{ /x /y findresource } stopped 3 1 roll pop pop"));

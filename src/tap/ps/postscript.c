@@ -153,8 +153,9 @@ static bool has_word(const char *text, const char *end, const char *word)
  * program, which changes nothing when the program showed it; where not even its beginning was seen the word decides. */
 static void hand_over(ps *p, ps_answer *answer)
 {
-    bool is_seen = p->wants_ghostscript && p->handed_over, good = p->err.kind == ERROR_NONE && !p->handed_over;
-    answer->sheet = p->ask->only_count ? 0 : p->page_shown ? p->sheets : p->sheets + p->page_wanted - p->page;
+    bool good = p->err.kind == ERROR_NONE && !p->handed_over, is_seen = p->handed_over && p->page + 1 == p->page_wanted && plb_ps_page_has_something(p);
+    unsigned to_come = good ? !p->page_shown : p->page_wanted - p->page; /* sheets behind those that were shown */
+    answer->sheet = p->ask->only_count ? 0 : p->sheets + to_come;
     answer->lacks_showpage = good ? !p->page_shown : is_seen || !has_word(p->program, p->main_file->end, "showpage");
 }
 
@@ -179,7 +180,7 @@ static ps_outcome read_page(ps *p, const char *program, size_t length, ps_answer
 {
     ps_dsc dsc;
     plb_dsc_read(program, length, PS_MAX_PAGE_POINTS, &dsc);
-    bool good = run(p, &dsc, program, length), wants_other = !good || p->handed_over || (p->wants_ghostscript && !p->ask->only_count);
+    bool good = run(p, &dsc, program, length), wants_other = !good || p->handed_over || (p->left && !p->ask->only_count);
     if (!good && (!may_be_our_fault(p) || !p->main_file))
         return PS_FAILED;
     if (good && !p->handed_over && !p->page_shown)
@@ -196,7 +197,7 @@ static ps_outcome read_page(ps *p, const char *program, size_t length, ps_answer
     if (good && (!wants_other || p->ask->alone))
         return PS_DRAWN;
     if (good)
-        plb_fail(&p->err, ERROR_UNSUPPORTED, "%d: '%s' is left to Ghostscript", p->line, p->op ? p->op->name : "show");
+        plb_fail(&p->err, ERROR_UNSUPPORTED, "%d: '%s' is left to Ghostscript", p->left_line, p->left->name);
     return PS_HANDED_OVER;
 }
 

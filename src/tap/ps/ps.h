@@ -27,20 +27,20 @@
 
 /* ---- limits (chosen so that the worst file stays below 10 s and 1 GiB) ------------------------------------ */
 
-#ifndef PS_MAX_STEPS /* the fuzzer's build, which wants many short runs, asks for less */
+#ifndef PS_MAX_STEPS /* the fuzzer's build, which wants many short runs, asks for less of each (tests/fuzz/short_runs.h) */
 #define PS_MAX_STEPS 50000000u           /* objects executed, and work of bulk operators */
 #define PS_MAX_STEPS_AFTER 1000000u      /* … after the page is complete */
 #define PS_MAX_MEMORY ((size_t)256 << 20)     /* for objects */
 #define PS_MAX_LIST_BYTES ((size_t)448 << 20) /* of the display list */
-#endif
 #define PS_MAX_OPERANDS 65536u
 #define PS_MAX_FRAMES 8192u
 #define PS_MAX_DICTS 256u
 #define PS_MAX_STATES 4096u              /* gsave and save */
 #define PS_MAX_ARRAY (1u << 20)          /* elements of an array or entries a dictionary starts with */
 #define PS_MAX_STRING (16u << 20)        /* bytes of a string */
-#define PS_MAX_PAGE_POINTS 20000.0       /* 7 m */
 #define PS_MAX_PATH_POINTS ((size_t)8 << 20)  /* in all current paths together */
+#endif
+#define PS_MAX_PAGE_POINTS 20000.0       /* 7 m */
 
 /* Device space is 7200 dpi, y up. Fine, because programs round line widths and positions to whole device units. */
 #define PS_UNITS_PER_POINT 100.0
@@ -239,7 +239,8 @@ struct ps {
     bool page_shown;     /* the page that is wanted is complete: the program runs on only to see whether another follows */
     bool another_page;   /* one does */
     bool area_is_known, pages_are_known; /* from the comments, whatever the program will still draw */
-    bool wants_ghostscript; /* something on this page is left out that Ghostscript draws */
+    const ps_operator *left; /* the first operator on this page that is Ghostscript's; NULL: none */
+    int left_line;
     bool handed_over;       /* Ghostscript has it from here */
     unsigned page, page_wanted; /* shown so far, and the one to stop at; blank ones do not count */
     unsigned sheets;            /* shown so far, blank or not */
@@ -385,7 +386,9 @@ bool plb_ps_count_list(ps *p, const path *shape);
 bool plb_ps_may_mark(ps *p);
 /* Something that would leave a mark is left out. */
 void plb_ps_omit(ps *p, omission_kind kind);
-/* The same of something that Ghostscript draws: true when the reading ends here, for it to take over. */
+/* The operator under way is Ghostscript's. */
+void plb_ps_note_left(ps *p);
+/* The same, where it would leave a mark: true when the reading ends here, for it to take over. */
 bool plb_ps_leave_to_ghostscript(ps *p, omission_kind kind);
 bool plb_ps_set_page_size(ps *p, double width, double height);
 

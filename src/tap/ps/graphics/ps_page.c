@@ -53,11 +53,19 @@ void plb_ps_omit(ps *p, omission_kind kind)
         p->list->omissions.n[kind]++;
 }
 
+void plb_ps_note_left(ps *p)
+{
+    if (p->left || p->page_shown)
+        return;
+    p->left = p->op;
+    p->left_line = p->line;
+}
+
 /* Where the comments leave open what the page is the program runs on without the thing: it may still say. */
 bool plb_ps_leave_to_ghostscript(ps *p, omission_kind kind)
 {
     plb_ps_omit(p, kind);
-    p->wants_ghostscript |= !p->page_shown;
+    plb_ps_note_left(p);
     if (p->ask->alone || p->page_shown || p->page + 1 != p->page_wanted || !p->pages_are_known ||
         !(p->area_is_known || p->page_size_said))
         return p->finished;
@@ -80,7 +88,7 @@ static bool op_showpage(ps *p)
         plb_ps_reset_graphics(p);
         return true;
     }
-    p->wants_ghostscript = false;
+    p->left = NULL;
     clear_page(p);
     p->list->omissions = (omissions){.advice = ""};
     plb_ps_reset_graphics(p);

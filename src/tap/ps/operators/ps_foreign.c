@@ -10,6 +10,7 @@ static bool op_leave_to_ghostscript(ps *p)
 {
     if (p->ask->alone)
         return plb_ps_explain(p, PS_UNDEFINED, "the PostScript operator '%s' is not known to this program", p->op->name);
+    plb_ps_note_left(p);
     p->handed_over = !p->page_shown;
     return p->finished = true;
 }
