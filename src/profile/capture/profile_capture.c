@@ -33,6 +33,7 @@
 #define MIN_WIDTH 0.05      /* mm: half a pixel of 1/300 inch, finer than which no line is drawn … */
 #define MAX_WIDTH 2.0        /* … to that of the broadest lead; both chosen by eye */
 #define MIN_STRAYS 16       /* fewer modes of lines do not tell the hand: two or three long lines; chosen by eye */
+#define MIN_LINE_SHARE 0.4   /* of the marks, below which there are many; chosen by eye: scans of one line have 0.5 to 1.1 */
 #define WIDTH_STEPS 12        /* of fitting the section to the width wanted */
 
 typedef struct {
@@ -102,6 +103,19 @@ static bool judge(const capture *c, const char *file, const line_strip *s)
     return fits;
 }
 
+/* Warns of a scan with many marks: one line of several is measured, and others beside or across it spoil its section. What is
+ * darker than half the line's depth should be about the line's own area. */
+static void warn_of_marks(const capture *c, const char *file, const scan *s, const line_strip *line)
+{
+    size_t dark = 0, pixels = (size_t)s->width * (size_t)s->height;
+    int half = (line->paper + line->centre) / 2;
+    for (size_t i = 0; i < pixels; i++)
+        dark += s->grey[i] < half;
+    double share = line->n * line->width_half / (double)(dark ? dark : 1);
+    if (share < MIN_LINE_SHARE)
+        plb_log(&c->options->say, MESSAGE_WARNING, "%s: the scan shows many marks, of which the one line measured is %.0f %%: crop it to one line", file, 100 * share);
+}
+
 /* The grain is that of PAPER_PX_PER_INCH: a finer scan is averaged down to it, from a coarser one it cannot be had. */
 static bool has_grain_resolution(const capture *c)
 {
@@ -136,6 +150,8 @@ static bool add_strip(capture *c, const char *file, const scan *s, error *err)
     if (!make_strip(s, c->dpi / PAPER_PX_PER_INCH, paper, &strip, err))
         return false;
     bool use = judge(c, file, &strip);
+    if (use)
+        warn_of_marks(c, file, s, &strip);
     if (use && array_push(&c->strips, strip))
         return add_reduced(c, s, paper, err);
     plb_line_strip_free(&strip);
