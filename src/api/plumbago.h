@@ -193,10 +193,48 @@ PLB_API unsigned plb_file_pages(const plb_file *file, const plb_options *options
 /* The drawing on the page that the setting `page` names. The caller frees the result. NULL and `error` on failure. */
 PLB_API plb_drawing *plb_file_draw(const plb_file *file, const plb_options *options, plb_error *error);
 
-/* Writes the drawing as PNG to `file` (complete or not at all; "-": standard output). */
+/* A format of pictures that the library knows. */
+typedef struct {
+    const char *name;     /* "JPEG" */
+    const char *suffixes; /* of files, without the dot, with blanks between them: "jpg jpeg" */
+    bool has_pages;       /* a file may hold several pages */
+    bool has_paths;       /* it holds the hand's paths instead of pixels */
+    bool is_built;        /* this library writes it: some need a library of their own when it is built */
+} plb_format;
+/* The formats, the usual one first. False past the last one. */
+PLB_API bool plb_format_at(size_t index, plb_format *format);
+/* The format that a file's suffix asks for, in upper or lower case; PNG where the name has none, or is "-". False and `error` where
+ * no format has such a suffix. */
+PLB_API bool plb_format_of(const char *file, plb_format *format, plb_error *error);
+
+/* Writes the drawing to `file` (complete or not at all; "-": standard output) in the format of its suffix. */
+PLB_API bool plb_drawing_write(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
+/* The same as PNG; the name may have no suffix, but not that of another format. */
 PLB_API bool plb_drawing_write_png(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
 /* The same as PDF: one page of the drawing's true size. */
 PLB_API bool plb_drawing_write_pdf(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
+
+/* Takes the next `n` bytes of a file. False ends the work; errno may say why. */
+typedef bool (*plb_write_function)(void *closure, const void *data, size_t n);
+/* Hands the bytes of the file, in the format of that name or suffix ("svg"), to a function, in order. */
+PLB_API bool plb_drawing_write_to(const plb_drawing *drawing, const char *format, plb_write_function put, void *closure,
+                                  const plb_options *options, plb_error *error);
+/* The file in memory: `size` bytes that the caller frees with plb_memory_free. NULL and `error` on failure. */
+PLB_API void *plb_drawing_write_memory(const plb_drawing *drawing, const char *format, size_t *size, const plb_options *options, plb_error *error);
+PLB_API void plb_memory_free(void *bytes);
+
+/* A file of several pages that is being written. */
+typedef struct plb_document plb_document;
+/* Begins a file in the format of its suffix, which must be one with pages. The caller closes or frees the result. NULL and
+ * `error` on failure. */
+PLB_API plb_document *plb_document_new(const char *file, plb_error *error);
+/* Writes the drawing as the next page. After a failure no further page can follow. */
+PLB_API bool plb_document_add(plb_document *document, const plb_drawing *drawing, const plb_options *options, plb_error *error);
+/* Ends the file, which then appears, and frees the document. False and `error` on failure; there is no file then. */
+PLB_API bool plb_document_close(plb_document *document, plb_error *error);
+/* Frees it without a file. */
+PLB_API void plb_document_free(plb_document *document);
+
 /* The drawing on a new cairo image surface of its size at the setting `dpi`: CAIRO_FORMAT_ARGB32, graphite on white or on
  * nothing. The caller destroys it. NULL and `error` on failure. */
 PLB_API cairo_surface_t *plb_drawing_render(const plb_drawing *drawing, const plb_options *options, plb_error *error);

@@ -75,6 +75,12 @@ void plb_graphite_init(graphite *g, const profile *p)
 /* Coloured pencils cover better than graphite of the same pressure does (chosen by eye). */
 #define COVER 1.35
 
+double plb_pigment_cover(const graphite *g, uint32_t colour, int grey)
+{
+    double depth = 255.0 - g->darkest;
+    return fmin(1, (colour ? COVER : 1) * (255 - grey) / depth);
+}
+
 void plb_pigment_init(pigment *p, const graphite *g, uint32_t colour)
 {
     double depth = 255.0 - g->darkest;
@@ -82,7 +88,7 @@ void plb_pigment_init(pigment *p, const graphite *g, uint32_t colour)
     for (int k = 0; k < PIGMENT_PLANES; k++) {
         double taken = 255.0 - (colour >> (16 - 8 * k) & 255); /* of this component's light, by full cover */
         for (int v = 0; v < 256; v++) {
-            double cover = fmin(1, COVER * (255 - v) / depth), left = fmax(1 - cover * taken / depth, 0);
+            double left = fmax(1 - plb_pigment_cover(g, colour, v) * taken / depth, 0);
             double units = left > 0 ? -log(left) / DEPOSIT_UNIT : 65535;
             p->deposit[k][v] = colour ? (uint16_t)fmin(floor(units + 0.5), 65535) : g->deposit[v];
         }

@@ -33,6 +33,8 @@ typedef struct {
     uint16_t deposit[PIGMENT_PLANES][256];
 } pigment;
 
+/* The share of the light that a grey of the texture takes of what a full cover takes: 0 to 1. */
+double plb_pigment_cover(const graphite *g, uint32_t colour, int grey);
 void plb_pigment_init(pigment *p, const graphite *g, uint32_t colour);
 
 /* Columns [from, to) of a row may hold graphite, others hold none. */

@@ -25,6 +25,7 @@ enum { EXIT_DRAWN = 0, EXIT_NOT_DRAWN = 1, EXIT_WRONG_COMMAND = 2 };
 typedef struct {
     plb_options *o;
     const char *output, *pencil;
+    plb_document *document; /* all pages in one file; NULL: a file each */
     const char *pages; /* as --page says: "2", "2-4", "1,5-" or "all"; NULL: the first */
     int dump; /* a plb_dump, or -1 */
     bool random_seed, quiet, list_pencils, version, help;
@@ -79,7 +80,7 @@ static const struct {
     option o;
 } own[] = {
     {NULL, "Input", {0, "page", "N|N-M|all", "which pages of a PDF or PostScript file, also a list [1]", set_page}},
-    {"dpi", "Output", {'o', "output", "FILE", "PNG or .pdf, '-': standard output; %s: drawing, %d: page [FILE.png]", set_output}},
+    {"dpi", "Output", {'o', "output", "FILE", ".png .pdf .svg .jpg .webp .tif, or '-'; %s: drawing, %d: page [FILE.png]", set_output}},
     {NULL, "Pencil", {'p', "pencil", "GRADE|FILE", "2H H F HB B 3B 6B 8B or a .pencil file [HB]", set_pencil}},
     {"pencil", "Pencil", {0, "list-pencils", NULL, "show the pencils that are built in", set_list_pencils}},
     {NULL, "Diagnosis", {0, "dump", "list|strokes|controls", "show what a stage made instead of drawing", set_dump}},
@@ -226,28 +227,24 @@ static uint64_t random_seed(void)
     return seed % 1000000000u; /* short enough to type again */
 }
 
-static bool ends_with(const char *name, const char *suffix)
+static bool is_text(const settings *s) { return s->dump == PLB_DUMP_LIST || s->dump == PLB_DUMP_STROKES; }
+
+/* The suffix says what is written; a name that promises another format than we write is refused. */
+static const char *refuse_format(const settings *s, char *text, size_t room)
 {
-    size_t n = strlen(name), m = strlen(suffix);
-    return n > m && !strcasecmp(name + n - m, suffix);
+    plb_error e = {PLB_OK, ""};
+    plb_format format;
+    if (!s->output || is_text(s) || plb_format_of(s->output, &format, &e))
+        return NULL;
+    snprintf(text, room, "%s", e.text);
+    return text;
 }
 
-/* A name that promises another format than we write. */
-static const char *refuse_format(const settings *s)
-{
-    static const char *const foreign[] = {".jpg", ".jpeg", ".gif", ".bmp", ".webp", ".tif", ".tiff", ".svg", ".svgz", ".eps", ".ps", ".dxf"};
-    for (size_t i = 0; s->output && s->dump < 0 && i < sizeof foreign / sizeof *foreign; i++)
-        if (ends_with(s->output, foreign[i]))
-            return "the result is PNG or PDF: end the name given to -o in .png or .pdf";
-    return NULL;
-}
-
-/* The suffix says what is written. */
 static bool write_result(const settings *s, const plb_drawing *d, const char *to, plb_error *e)
 {
     if (s->dump >= 0)
         return plb_drawing_dump(d, (plb_dump)s->dump, to, s->o, e);
-    return (ends_with(to, ".pdf") ? plb_drawing_write_pdf : plb_drawing_write_png)(d, to, s->o, e);
+    return s->document ? plb_document_add(s->document, d, s->o, e) : plb_drawing_write(d, to, s->o, e);
 }
 
 static bool look_at(const char *name, int stream, struct stat *st)
@@ -261,8 +258,6 @@ static bool is_same_file(const char *to, const char *from)
     struct stat x, y;
     return look_at(to, STDOUT_FILENO, &x) && look_at(from, STDIN_FILENO, &y) && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
-
-static bool is_text(const settings *s) { return s->dump == PLB_DUMP_LIST || s->dump == PLB_DUMP_STROKES; }
 
 /* What the work of one call needs. */
 typedef struct {
@@ -333,7 +328,7 @@ static int draw_pages(settings *s, const job *j)
     unsigned count = j->several ? plb_file_pages(j->file, s->o, &e) : 1;
     if (!count)
         return fail(s, &e);
-    if (j->several && count > 1 && !pages_has_number(j->to) && !is_text(s))
+    if (j->several && count > 1 && !pages_has_number(j->to) && !is_text(s) && !s->document)
         return wrong("several pages need a %d in the name of the output: -o page-%d.png");
     int status = EXIT_DRAWN;
     page_range range;
@@ -395,14 +390,23 @@ static bool names_collide(const settings *s, char *const inputs[], size_t n, cha
     return twice != NULL;
 }
 
+/* Whether several pages go into one file: its format holds them, and its name has no place for what would tell files apart. */
+static bool wants_document(const settings *s, int inputs)
+{
+    plb_format format;
+    bool several = inputs > 1 || (s->pages && !pages_is_one(s->pages));
+    return several && s->dump < 0 && s->output && !naming_has_place(s->output) && !pages_has_number(s->output) &&
+           plb_format_of(s->output, &format, NULL) && format.has_pages;
+}
+
 /* The result has a format that we write, and of several drawings each needs a name of its own. */
 static const char *refuse_names(const settings *s, char *const inputs[], int n, char *text, size_t room)
 {
-    const char *format = refuse_format(s);
+    const char *format = refuse_format(s, text, room);
     if (format)
         return format;
     bool on_one_stream = is_text(s) && (!s->output || !strcmp(s->output, "-"));
-    if (n < 2 || on_one_stream)
+    if (n < 2 || on_one_stream || wants_document(s, n))
         return NULL;
     if (s->output && !naming_has_place(s->output))
         return "more than one FILE: their pictures need a %s in the name of the output: -o 'out/%s.png'";
@@ -412,7 +416,34 @@ static const char *refuse_names(const settings *s, char *const inputs[], int n, 
     return names_collide(s, inputs, (size_t)n, text, room) ? text : NULL;
 }
 
-/* All drawings with one pencil; one that fails does not keep the others from being drawn. */
+/* One that fails does not keep the others from being drawn. */
+static int run_each(settings *s, char *const inputs[], int n)
+{
+    int worst = EXIT_DRAWN;
+    for (int i = 0; i < n; i++) {
+        int status = run(s, inputs[i]);
+        worst = status > worst ? status : worst;
+    }
+    return worst;
+}
+
+/* All pages in one file, which appears only when each of them is drawn. */
+static int run_document(settings *s, char *const inputs[], int n)
+{
+    plb_error e = {PLB_OK, ""};
+    s->document = plb_document_new(s->output, &e);
+    int status = s->document ? EXIT_DRAWN : fail(s, &e);
+    for (int i = 0; status == EXIT_DRAWN && i < n; i++)
+        status = run(s, inputs[i]);
+    if (status != EXIT_DRAWN)
+        plb_document_free(s->document);
+    else if (!plb_document_close(s->document, &e))
+        status = fail(s, &e);
+    s->document = NULL;
+    return status;
+}
+
+/* All drawings with one pencil. */
 static int run_all(settings *s, char *const inputs[], int n)
 {
     plb_error e = {PLB_OK, ""};
@@ -427,12 +458,9 @@ static int run_all(settings *s, char *const inputs[], int n)
     }
     plb_options_set_message(s->o, on_message, s);
     plb_options_set_progress(s->o, !s->quiet && isatty(STDERR_FILENO) ? on_progress : NULL, s);
-    int worst = !s->pencil || plb_options_set(s->o, "pencil", s->pencil, &e) ? EXIT_DRAWN : fail(s, &e);
-    for (int i = 0; e.status == PLB_OK && i < n; i++) {
-        int status = run(s, inputs[i]);
-        worst = status > worst ? status : worst;
-    }
-    return worst;
+    if (s->pencil && !plb_options_set(s->o, "pencil", s->pencil, &e))
+        return fail(s, &e);
+    return wants_document(s, n) ? run_document(s, inputs, n) : run_each(s, inputs, n);
 }
 
 /* What the command line asks for. */

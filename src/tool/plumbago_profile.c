@@ -242,7 +242,7 @@ static int show(settings *s, char **names, int n)
     (void)n;
     plb_error e = {PLB_OK, ""};
     plb_profile *p = plb_profile_load(names[0], &e);
-    bool good = p && plb_profile_show(p, stdout, &e) && (!s->plot || plb_profile_plot(p, s->plot, &e));
+    bool good = p && (!s->plot || plb_profile_plot(p, s->plot, &e)) && plb_profile_show(p, stdout, &e);
     plb_profile_free(p);
     return good ? EXIT_DONE : fail(&e);
 }

@@ -21,8 +21,8 @@ for value in 10 -1 fast ""; do misused "--compress '$value'" compress --compress
 
 # ---- PDF ----
 draws "-o x.pdf" -o x.pdf a.svg
-misused "no picture of another format" "the result is PNG or PDF" -o x.jpg a.svg
-misused "no picture of another format" "the result is PNG or PDF" -o x.SVG a.svg
+misused "no picture of another format" "x\.gif: no picture is written with the suffix \.gif: end the name in \.png" -o x.gif a.svg
+misused "no picture of another format, in capitals" "\.EPS" -o x.EPS a.svg
 draws "-o y.PDF, with nothing behind" --background none -o y.PDF a.svg
 draws "-o z.pdf, with other threads" --threads 3 -o z.pdf a.svg
 same "a PDF has the same bytes again" x.pdf z.pdf

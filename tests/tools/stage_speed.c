@@ -10,7 +10,7 @@
 #include "api/render/render.h"
 #include "base/number/units.h"
 #include "input/input.h"
-#include "surface/picture/picture.h"
+#include "api/output/sheet.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -111,15 +111,18 @@ static bool time_drawing(const plb_drawing *d, const plb_options *o, double out[
 {
     render_context t;
     page_plan plan;
-    picture_options how = {.format = PICTURE_PNG, .dpi = o->dpi, .level = 1, .members = 1};
     FILE *null = fopen("/dev/null", "wb");
     if (!null || !plb_api_context_init(&t, o, NULL) || !plb_page_plan(d, o, &plan, NULL))
         return false;
     plan.members = 1;
-    plb_page_plan_rows(&plan, plb_picture_rows(plan.width, &how));
-    writer w = {plb_picture_new(plan.width, plan.height, &how, null, "null", NULL), 0};
+    const picture_format *png = plb_picture_format_named("png");
+    picture_page sheet = {.width = plan.width, .height = plan.height, .dpi = o->dpi, .level = 1, .members = 1};
+    byte_sink sink = plb_sheet_stream(null);
+    plb_page_plan_rows(&plan, plb_picture_rows(png, &sheet));
+    writer w = {plb_picture_new(png, &sink, "null", false, NULL), 0};
     double map, texture = time_texture(d, &t), start = now();
-    bool ok = w.to && plb_render(d, o, &t, &plan, write_band, &w, NULL) && plb_picture_end(w.to, NULL);
+    bool ok = w.to && plb_picture_begin_page(w.to, &sheet, NULL) && plb_render(d, o, &t, &plan, write_band, &w, NULL);
+    ok = ok && plb_picture_end_page(w.to, NULL) && plb_picture_end(w.to, NULL);
     double all = now() - start;
     time_strokes(d, &t, &out[PATH], &map);
     out[TEXTURE] = texture - map;

@@ -4,6 +4,7 @@
  */
 #include "check.h"
 
+#include "api/output/sheet.h"
 #include "api/render/render.h"
 #include "base/number/random.h"
 #include "surface/picture/picture.h"
@@ -154,7 +155,7 @@ static void colours_are_laid(void)
 }
 
 /* The file that a page cut into bands of `pieces` pieces gives. */
-static size_t write(const plb_drawing *d, picture_format format, int pieces, int members, char **bytes)
+static size_t write(const plb_drawing *d, const picture_format *format, int pieces, int members, char **bytes)
 {
     plb_options *o = plb_options_new();
     o->dpi = 900; /* some pieces */
@@ -162,15 +163,17 @@ static size_t write(const plb_drawing *d, picture_format format, int pieces, int
     render_context t;
     page_plan plan;
     error err = {ERROR_NONE, ""};
-    picture_options how = {.format = format, .dpi = o->dpi, .level = 1, .members = members, .width_mm = WIDTH_MM, .height_mm = HEIGHT_MM};
     FILE *to = open_memstream(bytes, &size);
     CHECK(plb_api_context_init(&t, o, &err) && plb_page_plan(d, o, &plan, &err));
-    int rows = plb_picture_rows(plan.width, &how);
+    picture_page sheet = {.width = plan.width, .height = plan.height, .dpi = o->dpi, .level = 1, .members = members, .width_mm = WIDTH_MM, .height_mm = HEIGHT_MM};
+    byte_sink sink = plb_sheet_stream(to);
+    int rows = plb_picture_rows(format, &sheet);
     CHECK(rows * 2 < plan.height);
     plan.rows = pieces ? pieces * rows : plan.height;
     plan.members = members;
-    picture *p = plb_picture_new(plan.width, plan.height, &how, to, "picture", &err);
-    CHECK(p && plb_render(d, o, &t, &plan, add, p, &err) && plb_picture_end(p, &err));
+    picture *p = plb_picture_new(format, &sink, "picture", false, &err);
+    CHECK(p && plb_picture_begin_page(p, &sheet, &err) && plb_render(d, o, &t, &plan, add, p, &err));
+    CHECK(plb_picture_end_page(p, &err) && plb_picture_end(p, &err));
     plb_picture_free(p);
     plb_options_free(o);
     fclose(to);
@@ -180,11 +183,15 @@ static size_t write(const plb_drawing *d, picture_format format, int pieces, int
 static void files_are_the_same(void)
 {
     plb_drawing *d = drawing_for_tests();
-    for (int f = 0; f < 2; f++) {
+    const picture_format *f;
+    for (size_t i = 0; (f = plb_picture_format_at(i)); i++) {
+        if (plb_picture_format_has_paths(f) || !plb_picture_format_is_built(f))
+            continue;
         char *whole, *cut;
-        size_t size = write(d, (picture_format)f, 0, 1, &whole);
+        size_t size = write(d, f, 0, 1, &whole);
+        CHECK(size > 10000);
         for (int k = 1; k < 4; k++) {
-            CHECK(write(d, (picture_format)f, k, k * 2, &cut) == size && !memcmp(whole, cut, size));
+            CHECK(write(d, f, k, k * 2, &cut) == size && !memcmp(whole, cut, size));
             free(cut);
         }
         free(whole);

@@ -6,6 +6,7 @@
 
 #include "list/list_write.h"
 #include "system/output.h"
+#include "surface/picture/picture.h"
 #include "surface/plot/controls.h"
 
 #include <errno.h>
@@ -62,7 +63,7 @@ bool plb_drawing_dump(const plb_drawing *d, plb_dump what, const char *file, con
         return plb_api_finish(&err, failed);
     }
     o = plb_api_options_for(d, o, &err);
-    bool ok = o && plb_output_open(&out, file, &err);
+    bool ok = o && (what != PLB_DUMP_CONTROLS || plb_picture_format_suits(plb_picture_format_named("png"), file, &err)) && plb_output_open(&out, file, &err);
     if (ok) {
         switch (what) {
         case PLB_DUMP_LIST: ok = write_text(plb_list_print(&d->list, out.to), file, &err); break;

@@ -1,127 +1,128 @@
 /* SPDX-License-Identifier: MIT
  *
- * The drawn page as a file or as the caller's cairo surface.
+ * The drawn page as a file, as bytes for a function of the caller's, or in memory.
  */
-#include "api/render/render.h"
+#include "api/output/sheet.h"
 
 #include "system/output.h"
-#include "surface/picture/picture.h"
 
-/* What a picture says of itself. */
-typedef struct {
-    char software[64], value[3][64];
-    const char *text[11];
-} labels;
+#include <errno.h>
+#include <string.h>
 
-/* The settings that make a stroke what it is; an arm that the model chose is told too. */
-static void label(labels *l, const plb_options *o, const render_context *t)
+/* ---- formats ---- */
+
+static plb_format shown(const picture_format *f)
 {
-    static const char *const names[][2] = {{"seed", "Plumbago-Seed"}, {"pencil", "Plumbago-Pencil"}, {"model", "Plumbago-Model"}};
-    snprintf(l->software, sizeof l->software, "Plumbago %s", plb_version());
-    const char **to = l->text;
-    *to++ = "Software";
-    *to++ = l->software;
-    for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-        plb_options_get(o, names[i][0], l->value[i], sizeof l->value[i]);
-        *to++ = names[i][1];
-        *to++ = l->value[i];
-    }
-    *to++ = "Plumbago-Arm";
-    *to++ = plb_arm_of(&t->stroke)->name;
-    *to = NULL;
+    return (plb_format){plb_picture_format_name(f), plb_picture_format_suffixes(f), plb_picture_format_has_pages(f), plb_picture_format_has_paths(f),
+                        plb_picture_format_is_built(f)};
 }
 
-static bool add_band(void *closure, const page *band, error *err)
+bool plb_format_at(size_t index, plb_format *format)
 {
-    return plb_picture_add(closure, band, err);
+    const picture_format *f = plb_picture_format_at(index);
+    if (f)
+        *format = shown(f);
+    return f != NULL;
 }
 
-/* Draws into the open file. */
-static bool draw_into(FILE *to, const plb_drawing *d, const plb_options *o, picture_options how, const char *name, error *err)
+bool plb_format_of(const char *file, plb_format *format, plb_error *failed)
 {
-    render_context t;
-    page_plan plan;
-    labels l;
-    if (!plb_api_context_init(&t, o, err))
-        return false;
-    label(&l, o, &t);
-    how.text = l.text;
-    bool ok = plb_page_plan(d, o, &plan, err);
-    if (ok) {
-        how.members = plan.members;
-        plb_page_plan_rows(&plan, plb_picture_rows(plan.width, &how));
-        picture *p = plb_picture_new(plan.width, plan.height, &how, to, name, err);
-        ok = p && plb_render(d, o, &t, &plan, add_band, p, err) && plb_picture_end(p, err);
-        plb_picture_free(p);
-    }
-    return ok;
+    error err = {ERROR_NONE, ""};
+    const picture_format *f = plb_picture_format_of(file, &err);
+    if (f)
+        *format = shown(f);
+    return plb_api_finish(&err, failed);
 }
 
-static bool write_picture(const plb_drawing *d, const char *file, picture_format format, const plb_options *given, error *err)
+/* ---- files ---- */
+
+static bool write_file(const plb_drawing *d, const char *file, const picture_format *f, const plb_options *given, error *err)
 {
     const plb_options *o = plb_api_options_for(d, given, err);
-    if (!o)
-        return false;
-    picture_options how = {.format = format, .background = (page_background)o->background, .colour = o->colour, .dpi = o->dpi, .level = o->compress};
-    how.width_mm = d->list.width;
-    how.height_mm = d->list.height;
     output out;
-    if (!plb_output_open(&out, file, err))
+    if (!o || !plb_output_open(&out, file, err))
         return false;
-    if (draw_into(out.to, d, o, how, plb_output_shown(file), err))
+    byte_sink to = plb_sheet_stream(out.to);
+    if (plb_sheet_write_file(&to, plb_output_shown(file), f, d, o, err))
         return plb_output_commit(&out, err);
     plb_output_discard(&out);
     return false;
 }
 
-bool plb_drawing_write_png(const plb_drawing *d, const char *file, const plb_options *o, plb_error *failed)
+bool plb_drawing_write(const plb_drawing *d, const char *file, const plb_options *o, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
-    write_picture(d, file, PICTURE_PNG, o, &err);
+    const picture_format *f = plb_picture_format_of(file, &err);
+    if (f)
+        write_file(d, file, f, o, &err);
     return plb_api_finish(&err, failed);
+}
+
+static bool write_as(const char *name, const plb_drawing *d, const char *file, const plb_options *o, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    const picture_format *f = plb_picture_format_named(name);
+    if (plb_picture_format_suits(f, file, &err))
+        write_file(d, file, f, o, &err);
+    return plb_api_finish(&err, failed);
+}
+
+bool plb_drawing_write_png(const plb_drawing *d, const char *file, const plb_options *o, plb_error *failed)
+{
+    return write_as("png", d, file, o, failed);
 }
 
 bool plb_drawing_write_pdf(const plb_drawing *d, const char *file, const plb_options *o, plb_error *failed)
 {
+    return write_as("pdf", d, file, o, failed);
+}
+
+/* ---- functions of the caller's, and memory ---- */
+
+static bool write_to(const plb_drawing *d, const char *format, const byte_sink *to, const plb_options *given, error *err)
+{
+    const plb_options *o = plb_api_options_for(d, given, err);
+    const picture_format *f = plb_picture_format_named(format);
+    if (!f)
+        return plb_fail(err, ERROR_ARGUMENT, "there is no format %s", format);
+    return o && plb_sheet_write_file(to, "the picture", f, d, o, err);
+}
+
+bool plb_drawing_write_to(const plb_drawing *d, const char *format, plb_write_function put, void *closure, const plb_options *o, plb_error *failed)
+{
     error err = {ERROR_NONE, ""};
-    write_picture(d, file, PICTURE_PDF, o, &err);
+    byte_sink to = {put, closure};
+    write_to(d, format, &to, o, &err);
     return plb_api_finish(&err, failed);
 }
 
-/* ---- onto a surface ---- */
+typedef ARRAY(char) byte_array;
 
-typedef struct {
-    cairo_surface_t *surface;
-    page_background background;
-} surface_target;
-
-static bool copy_band(void *closure, const page *band, error *err)
+static bool put_in_memory(void *closure, const void *data, size_t n)
 {
-    const surface_target *to = closure;
-    return plb_page_to_cairo(band, to->background, to->surface) || plb_fail_memory(err);
+    byte_array *to = closure;
+    if (!array_reserve(to, n)) {
+        errno = ENOMEM;
+        return false;
+    }
+    memcpy(to->v + to->n, data, n);
+    to->n += n;
+    return true;
 }
 
-static cairo_surface_t *draw_surface(const plb_drawing *d, const plb_options *o, const render_context *t, error *err)
-{
-    page_plan plan;
-    if (!plb_page_plan(d, o, &plan, err))
-        return NULL;
-    plb_page_plan_rows(&plan, 1);
-    surface_target to = {plb_page_surface_new(plan.width, plan.height, err), (page_background)o->background};
-    if (to.surface && plb_render(d, o, t, &plan, copy_band, &to, err))
-        return to.surface;
-    cairo_surface_destroy(to.surface);
-    return NULL;
-}
-
-cairo_surface_t *plb_drawing_render(const plb_drawing *d, const plb_options *o, plb_error *failed)
+void *plb_drawing_write_memory(const plb_drawing *d, const char *format, size_t *size, const plb_options *o, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
-    render_context t;
-    cairo_surface_t *result = NULL;
-    o = plb_api_options_for(d, o, &err);
-    if (o && plb_api_context_init(&t, o, &err))
-        result = draw_surface(d, o, &t, &err);
+    byte_array bytes = {0};
+    byte_sink to = {put_in_memory, &bytes};
+    if (!write_to(d, format, &to, o, &err))
+        array_free(&bytes);
+    *size = bytes.n;
     plb_api_finish(&err, failed);
-    return result;
+    return bytes.v;
+}
+
+void plb_memory_free(void *bytes)
+{
+    plb_free(bytes);
 }

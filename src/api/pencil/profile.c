@@ -8,6 +8,7 @@
 #include "base/array.h"
 #include "base/number/units.h"
 #include "profile/profile.h"
+#include "surface/picture/picture.h"
 #include "surface/plot/profile_plot.h"
 
 #include <errno.h>
@@ -129,6 +130,7 @@ bool plb_profile_compare(const plb_profile *a, const plb_profile *b, FILE *strea
 bool plb_profile_plot(const plb_profile *pencil, const char *file, plb_error *to)
 {
     error failed = {0};
-    plb_profile_draw(pencil->p, file, &failed);
+    if (plb_picture_format_suits(plb_picture_format_named("png"), file, &failed))
+        plb_profile_draw(pencil->p, file, &failed);
     return plb_api_finish(&failed, to);
 }

@@ -1,141 +1,234 @@
 /* SPDX-License-Identifier: MIT
  *
- * See picture.h. The rows, each after a byte that says 'no filter' (grain does not compress by prediction), are cut into
- * pieces by their number alone, so the file does not depend on bands or threads.
+ * See picture.h: the table of formats, and what all of them share.
  */
 #include "surface/picture/picture.h"
 
 #include "base/array.h"
-#include "system/thread_team.h"
-#include "surface/picture/picture_formats.h"
+#include "surface/picture/formats.h"
 
 #include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
 #include <string.h>
-#include <zlib.h>
 
-/* Bytes of a piece: large enough that its own code tables and its flush do not matter. */
+/* Bytes of the rows that are compressed together: large enough that their own code tables and their flush do not matter. */
 #define PIECE_BYTES (256 * 1024)
 
-typedef struct {
-    bool (*head)(picture *p);
-    bool (*data)(picture *p, const void *data, size_t n);
-    bool (*tail)(picture *p);
-} format;
+/* To add a format, write its file and its row. */
+static const picture_format *const formats[] = {&plb_png_format, &plb_pdf_format, &plb_svg_format, &plb_jpeg_format, &plb_webp_format, &plb_tiff_format};
+#define FORMATS (sizeof formats / sizeof *formats)
 
-static const format formats[] = {
-    [PICTURE_PNG] = {plb_png_head, plb_png_data, plb_png_tail},
-    [PICTURE_PDF] = {plb_pdf_head, plb_pdf_data, plb_pdf_tail},
-};
+/* ---- which format ---- */
 
-static size_t row_bytes(int width, int channels)
+const picture_format *plb_picture_format_at(size_t index)
 {
-    return (size_t)width * (size_t)channels + 1;
+    return index < FORMATS ? formats[index] : NULL;
 }
 
-/* A PDF's page is laid over others by multiplying, not by opacity. */
-static page_background rows_background(const picture_options *o)
+/* ASCII letters alone: suffixes do not depend on a locale. */
+static bool same_word(const char *a, const char *b, size_t n)
 {
-    return o->format == PICTURE_PDF ? PAGE_WHITE : o->background;
+    for (size_t i = 0; i < n; i++)
+        if ((a[i] >= 'A' && a[i] <= 'Z' ? a[i] + 32 : a[i]) != b[i])
+            return false;
+    return true;
 }
 
-int plb_picture_rows(int width, const picture_options *o)
+static bool has_suffix(const picture_format *f, const char *suffix)
 {
-    size_t n = PIECE_BYTES / row_bytes(width, plb_page_channels(rows_background(o), o->colour));
+    for (const char *at = f->suffixes; *at;) {
+        size_t n = strcspn(at, " ");
+        if (strlen(suffix) == n && same_word(suffix, at, n))
+            return true;
+        at += n + (at[n] == ' ');
+    }
+    return false;
+}
+
+const picture_format *plb_picture_format_named(const char *name)
+{
+    for (size_t i = 0; i < FORMATS; i++)
+        if (has_suffix(formats[i], name) || !strcmp(formats[i]->name, name))
+            return formats[i];
+    return NULL;
+}
+
+/* From its dot on; NULL: none. */
+static const char *suffix_of(const char *file)
+{
+    const char *slash = strrchr(file, '/'), *base = slash ? slash + 1 : file, *dot = strrchr(base, '.');
+    return dot && dot > base ? dot : NULL;
+}
+
+const picture_format *plb_picture_format_of(const char *file, error *err)
+{
+    const char *dot = suffix_of(file);
+    if (!dot)
+        return formats[0];
+    for (size_t i = 0; i < FORMATS; i++)
+        if (has_suffix(formats[i], dot + 1))
+            return formats[i];
+    char known[128] = "";
+    for (size_t i = 0, n = 0; i < FORMATS; i++)
+        n += (size_t)snprintf(known + n, sizeof known - n, "%s.%.*s", i == 0 ? "" : i + 1 < FORMATS ? ", " : " or ", (int)strcspn(formats[i]->suffixes, " "), formats[i]->suffixes);
+    plb_fail(err, ERROR_ARGUMENT, "%s: no picture is written with the suffix %s: end the name in %s", file, dot, known);
+    return NULL;
+}
+
+bool plb_picture_format_suits(const picture_format *f, const char *file, error *err)
+{
+    const picture_format *promised = plb_picture_format_of(file, err);
+    if (!promised || promised == f || !suffix_of(file))
+        return promised != NULL;
+    return plb_fail(err, ERROR_ARGUMENT, "%s: %s is written, which such a name does not promise", file, f->name);
+}
+
+const char *plb_picture_format_name(const picture_format *f) { return f->name; }
+const char *plb_picture_format_suffixes(const picture_format *f) { return f->suffixes; }
+bool plb_picture_format_has_pages(const picture_format *f) { return f->has_pages; }
+bool plb_picture_format_has_paths(const picture_format *f) { return f->has_paths; }
+bool plb_picture_format_is_built(const picture_format *f) { return f->built; }
+
+/* ---- what the formats share ---- */
+
+static page_background background_in(const picture_format *f, const picture_page *sheet)
+{
+    return f->see_through ? sheet->background : PAGE_WHITE;
+}
+
+/* Each row has a byte before it that says how it is filtered, where that matters. */
+static size_t row_bytes(const picture_format *f, const picture_page *sheet)
+{
+    return (size_t)sheet->width * (size_t)plb_page_channels(background_in(f, sheet), sheet->colour) + 1;
+}
+
+int plb_picture_rows(const picture_format *f, const picture_page *sheet)
+{
+    size_t n = PIECE_BYTES / row_bytes(f, sheet);
     return n < 1 ? 1 : (int)n;
 }
 
-static bool put_data(picture *p, const void *data, size_t n)
+bool plb_picture_put(picture *p, const void *data, size_t n)
 {
-    p->data_size += n;
-    return formats[p->o->format].data(p, data, n);
+    p->written += n;
+    return p->to.put(p->to.closure, data, n);
 }
 
-static bool fail_to_write(const picture *p, error *err)
+bool plb_picture_print(picture *p, const char *format, ...)
 {
-    if (errno == 0 || errno == ENOMEM)
+    char text[1024];
+    va_list args;
+    va_start(args, format);
+    int n = vsnprintf(text, sizeof text, format, args);
+    va_end(args);
+    return n >= 0 && n < (int)sizeof text && plb_picture_put(p, text, (size_t)n);
+}
+
+bool plb_picture_fail(const picture *p, error *err)
+{
+    if (errno == ENOMEM)
         return plb_fail_memory(err);
-    return plb_fail(err, ERROR_FILE, "%s: cannot be written: %s", p->name, strerror(errno));
+    return plb_fail(err, ERROR_FILE, "%s: cannot be written%s%s", p->name, errno ? ": " : "", errno ? strerror(errno) : "");
 }
 
-picture *plb_picture_new(int width, int height, const picture_options *o, FILE *to, const char *name, error *err)
+void plb_picture_row(const picture *p, int y, uint8_t *out)
 {
-    static const uint8_t zlib_head[] = {0x78, 0x01};
-    picture *p = plb_new(1, sizeof *p);
-    if (!p) {
+    plb_page_row(p->band, background_in(p->format, p->page), y, out);
+}
+
+char *plb_picture_lines(const picture_page *sheet)
+{
+    size_t room = 1;
+    for (const char *const *t = sheet->text; t && t[0]; t += 2)
+        room += strlen(t[0]) + strlen(t[1]) + 3;
+    char *lines = plb_new(room, 1), *to = lines;
+    for (const char *const *t = sheet->text; to && t && t[0]; t += 2)
+        to += snprintf(to, room - (size_t)(to - lines), "%s: %s\n", t[0], t[1]);
+    return lines;
+}
+
+/* Chosen by eye: grain is noise, which low qualities turn into blocks. */
+int plb_picture_quality(int level)
+{
+    static const int quality[] = {100, 92, 90, 88, 85, 82, 78, 74, 70, 65};
+    return quality[level < 0 ? 0 : level > 9 ? 9 : level];
+}
+
+/* ---- a file from its begin to its end ---- */
+
+picture *plb_picture_new(const picture_format *f, const byte_sink *to, const char *name, bool several, error *err)
+{
+    picture *p = NULL;
+    if (!f->built)
+        plb_fail(err, ERROR_UNSUPPORTED, "%s: this build writes no %s: install %s and build again", name, f->name, f->package);
+    else if (!(p = plb_new(1, sizeof *p)))
         plb_fail_memory(err);
+    if (!p)
         return NULL;
-    }
-    *p = (picture){.o = o, .width = width, .height = height, .to = to, .name = name, .checksum = 1};
-    p->channels = plb_page_channels(rows_background(o), o->colour);
-    p->piece_rows = plb_picture_rows(width, o);
+    *p = (picture){.format = f, .to = *to, .name = name, .several = several};
     errno = 0;
-    if (formats[o->format].head(p) && put_data(p, zlib_head, sizeof zlib_head))
+    if (!f->begin || f->begin(p, err))
         return p;
-    fail_to_write(p, err);
     plb_picture_free(p);
     return NULL;
 }
 
 void plb_picture_free(picture *p)
 {
-    if (!p)
-        return;
-    for (int k = 0; k < PICTURE_PIECES; k++)
-        array_free(&p->piece[k]);
-    for (int k = 0; k < THREAD_TEAM_MAX; k++)
-        plb_free(p->raw[k]);
+    if (p && p->format->drop)
+        p->format->drop(p);
     plb_free(p);
 }
 
-/* How many rows the piece that begins at row y of the page has. */
-static int rows_from(const picture *p, int y)
+static bool check_page(const picture *p, const picture_page *sheet, error *err)
 {
-    int foot = p->band->top + p->band->rows;
-    return foot - y < p->piece_rows ? foot - y : p->piece_rows;
+    const picture_format *f = p->format;
+    if (f->max_side && (sheet->width > f->max_side || sheet->height > f->max_side))
+        return plb_fail(err, ERROR_LIMIT, "%s: %s holds at most %d pixels a side, not %d by %d: lower the resolution, or write PNG", p->name, f->name, f->max_side, sheet->width, sheet->height);
+    if (sheet->background == PAGE_TRANSPARENT && !f->see_through && !f->multiplies)
+        return plb_fail(err, ERROR_ARGUMENT, "%s: %s cannot be without background: write PNG", p->name, f->name);
+    return true;
 }
 
-/* Makes piece number `k` from row `first` on. */
-static bool make_piece(void *closure, int member, size_t k)
+bool plb_picture_begin_page(picture *p, const picture_page *sheet, error *err)
 {
-    picture *p = closure;
-    size_t size = row_bytes(p->width, p->channels);
-    int y0 = p->first + (int)k * p->piece_rows, rows = rows_from(p, y0);
-    if (!p->raw[member])
-        p->raw[member] = plb_new((size_t)p->piece_rows, size);
-    uint8_t *raw = p->raw[member];
-    for (int y = 0; raw && y < rows; y++) {
-        raw[(size_t)y * size] = 0;
-        plb_page_row(p->band, rows_background(p->o), y0 + y, raw + (size_t)y * size + 1);
-    }
-    if (!raw || !plb_deflate_piece(raw, (size_t)rows * size, p->o->level, &p->piece[k]))
+    if (!check_page(p, sheet, err))
         return false;
-    p->piece_sum[k] = (uint32_t)adler32_z(1, raw, (size_t)rows * size);
-    return true;
+    p->page = sheet;
+    p->channels = plb_page_channels(background_in(p->format, sheet), sheet->colour);
+    p->pages++;
+    errno = 0;
+    return p->format->begin_page(p, err);
 }
 
 bool plb_picture_add(picture *p, const page *band, error *err)
 {
     p->band = band;
-    int foot = band->top + band->rows;
-    for (p->first = band->top; p->first < foot; p->first += PICTURE_PIECES * p->piece_rows) {
-        int left = (foot - p->first + p->piece_rows - 1) / p->piece_rows, n = left < PICTURE_PIECES ? left : PICTURE_PIECES;
-        errno = 0;
-        if (!plb_thread_team_run(p->o->members, (size_t)n, make_piece, p))
-            return plb_fail_memory(err);
-        for (int k = 0; k < n; k++) {
-            size_t size = row_bytes(p->width, p->channels) * (size_t)rows_from(p, p->first + k * p->piece_rows);
-            p->checksum = (uint32_t)adler32_combine(p->checksum, p->piece_sum[k], (z_off_t)size);
-            if (!put_data(p, p->piece[k].v, p->piece[k].n))
-                return fail_to_write(p, err);
-        }
-    }
-    return true;
+    errno = 0;
+    return p->format->add(p, err);
+}
+
+bool plb_picture_begin_layer(picture *p, const picture_layer *layer, error *err)
+{
+    errno = 0;
+    return p->format->begin_layer(p, layer, err);
+}
+
+bool plb_picture_add_path(picture *p, const path *drawn, double opacity, error *err)
+{
+    errno = 0;
+    return p->format->add_path(p, drawn, opacity, err);
+}
+
+bool plb_picture_end_page(picture *p, error *err)
+{
+    errno = 0;
+    return p->format->end_page(p, err);
 }
 
 bool plb_picture_end(picture *p, error *err)
 {
-    uint32_t sum = p->checksum;
-    uint8_t end[] = {DEFLATE_END, (uint8_t)(sum >> 24), (uint8_t)(sum >> 16), (uint8_t)(sum >> 8), (uint8_t)sum};
     errno = 0;
-    return (put_data(p, end, sizeof end) && formats[p->o->format].tail(p)) || fail_to_write(p, err);
+    return !p->format->end || p->format->end(p, err);
 }

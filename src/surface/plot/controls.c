@@ -6,7 +6,7 @@
 
 #include "base/array.h"
 #include "base/number/units.h"
-#include "surface/picture/cairo_png.h"
+#include "surface/plot/cairo_png.h"
 
 #include <cairo.h>
 #include <errno.h>

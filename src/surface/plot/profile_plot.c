@@ -7,7 +7,7 @@
 #include "base/geometry/geom.h"
 #include "base/number/number.h"
 #include "system/output.h"
-#include "surface/picture/cairo_png.h"
+#include "surface/plot/cairo_png.h"
 #include "base/number/units.h"
 
 #include <cairo.h>

@@ -2,8 +2,8 @@
  *
  * A cairo surface as PNG on a stream.
  */
-#ifndef PLB_SURFACE_PICTURE_CAIRO_PNG_H
-#define PLB_SURFACE_PICTURE_CAIRO_PNG_H
+#ifndef PLB_SURFACE_PLOT_CAIRO_PNG_H
+#define PLB_SURFACE_PLOT_CAIRO_PNG_H
 
 #include <cairo.h>
 #include <stdio.h>

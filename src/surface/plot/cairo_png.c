@@ -2,7 +2,7 @@
  *
  * See cairo_png.h.
  */
-#include "surface/picture/cairo_png.h"
+#include "surface/plot/cairo_png.h"
 
 static cairo_status_t write_bytes(void *closure, const unsigned char *data, unsigned int n)
 {
