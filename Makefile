@@ -5,6 +5,7 @@ VERSION := $(shell awk '/define PLB_VERSION_(MAJOR|MINOR|PATCH) / { v = v dot $$
 
 # ---- settings ---------------------------------------------------------------------------------------------
 PREFIX  = /usr/local
+LIBDIR  = $(PREFIX)/lib
 DESTDIR =
 CC      = gcc
 AR      = ar
@@ -28,7 +29,11 @@ O = build/$(BUILD)$(SUFFIX)
 Q = $(if $(filter 1,$(V)),,@)
 say = @$(if $(filter 1,$(V)),:,printf '  %-7s %s\n')
 
-packages_lib = cairo libpng zlib libseccomp
+# Formats of pictures that a build writes where their libraries are at hand.
+with_jpeg := $(shell pkg-config --exists libjpeg && echo libjpeg)
+with_webp := $(shell pkg-config --exists libwebp libwebpmux && echo libwebp libwebpmux)
+with_tiff := $(shell pkg-config --exists 'libtiff-4 >= 4.5' && echo libtiff-4)
+packages_lib = cairo libpng zlib libseccomp $(with_jpeg) $(with_webp) $(with_tiff)
 packages_tap = librsvg-2.0 cairo cairo-script libxml-2.0 fontconfig
 packages_plain = libxml-2.0
 
@@ -36,6 +41,8 @@ WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 # -ffp-contract=off: the same drawing from every compiler and level (no fused multiply-add). Nobody asks whether a root or a
 # division went wrong: the others let them stand in loops.
 CFLAGS_ALL = -std=c17 $(WARN) -fPIC -ffp-contract=off -fno-math-errno -fno-trapping-math -fvisibility=hidden -MMD -MP $(flags_$(BUILD)) \
+             $(if $(with_jpeg),-DPLB_WITH_JPEG) $(if $(with_webp),-DPLB_WITH_WEBP) $(if $(with_tiff),-DPLB_WITH_TIFF) \
+             $(if $(with_jpeg),-DPLB_WITH_JPEG) $(if $(with_webp),-DPLB_WITH_WEBP) $(if $(with_tiff),-DPLB_WITH_TIFF) \
              -D_POSIX_C_SOURCE=200809L -Isrc $(CFLAGS)
 # Position-independent programs whose tables of addresses are read-only before the first line runs, no code on the stack.
 LDFLAGS_release = -pie -Wl,-z,relro,-z,now,-z,noexecstack
@@ -60,12 +67,16 @@ c_tests  = $(wildcard tests/unit/*.c tests/stat/*.c tests/stage/*.c)
 c_tools  = $(wildcard tests/tools/*.c)
 examples_c = $(wildcard examples/*.c)
 
+# SOVERSION grows when programs must be compiled anew. Sanitizers leave names to be found in the program.
+SOVERSION = 0
+shared = libplumbago.so.$(VERSION)
+whole_release = -Wl,-z,defs
 programs = $(O)/plumbago $(O)/plumbago-profile $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-dxf
 fuzzers  = $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 tests_bin = $(c_tests:tests/%.c=$(O)/tests/%) $(c_tools:tests/%.c=$(O)/tests/%) $(fuzzers:%=$(O)/tests/fuzz/fuzz_%)
 
 .PHONY: all
-all: $(programs) $(O)/libplumbago.a
+all: $(programs) $(O)/libplumbago.a $(O)/$(shared)
 
 # A file that holds a text: $(call changed,FILE,TEXT) makes its rule run when the text is another one than the file's, and
 # $(call keep,TEXT) writes it. What depends on the file is then made again.
@@ -103,6 +114,16 @@ $(O)/objects: $(call changed,$(O)/objects,$(lib_obj))
 $(O)/libplumbago.a: $(lib_obj) $(O)/pencils.o $(O)/objects
 	$(say) AR $@
 	$(Q)rm -f $@ && $(AR) rcs $@ $(filter %.o,$^)
+
+# The shared library gives away what plumbago.h declares and nothing else.
+$(O)/exports.map: src/api/plumbago.h
+	@mkdir -p $(@D)
+	$(Q){ echo 'PLUMBAGO_$(SOVERSION) {'; echo 'global:'; sed -nE 's/^PLB_API .*[ *](plb_[a-z0-9_]+)\(.*/    \1;/p' $<; echo 'local: *;'; echo '};'; } > $@
+$(O)/$(shared): $(lib_obj) $(O)/pencils.o $(O)/exports.map
+	$(say) LINK $@
+	$(Q)$(CC) -shared -Wl,-soname,libplumbago.so.$(SOVERSION) -Wl,--version-script=$(O)/exports.map $(whole_$(BUILD)) \
+	    $(filter-out -pie,$(LDFLAGS_ALL)) $(filter %.o,$^) $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
+	$(Q)ln -sf $(shared) $(O)/libplumbago.so.$(SOVERSION) && ln -sf libplumbago.so.$(SOVERSION) $(O)/libplumbago.so
 
 $(O)/plumbago: $(O)/tool/plumbago.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/tool/surroundings.o $(O)/tool/pages.o $(O)/tool/naming.o $(O)/libplumbago.a
 $(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/tool/surroundings.o $(O)/libplumbago.a
@@ -229,7 +250,7 @@ demo-pictures: all
 	@echo "$(demo_drawing), drawn with eight pencils, lies in build/demo."
 
 # ---- packages (Debian) ------------------------------------------------------------------------------------
-packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libseccomp-dev libxml2-dev libfontconfig-dev fonts-dejavu-core poppler-utils ghostscript python3-ezdxf
+packages_build = gcc make binutils pkg-config libc6-dev librsvg2-dev libcairo2-dev libpng-dev zlib1g-dev libjpeg62-turbo-dev libwebp-dev libtiff-dev libseccomp-dev libxml2-dev libfontconfig-dev fonts-dejavu-core poppler-utils ghostscript python3-ezdxf
 packages_tests = librsvg2-bin clang g++ mandoc strace locales unzip
 packages_tests += libclang-rt-14-dev util-linux # for the fuzzers, and for writes that fail
 
@@ -267,20 +288,24 @@ manuals = $(wildcard man/*.[1-9])
 .PHONY: install uninstall
 dest = $(DESTDIR)$(PREFIX)
 install: all
-	install -d "$(dest)/bin" "$(dest)/libexec/plumbago" "$(dest)/include" "$(dest)/lib/pkgconfig" "$(dest)/share/plumbago/profiles"
+	install -d "$(dest)/bin" "$(dest)/libexec/plumbago" "$(dest)/include" "$(dest)/share/plumbago/profiles"
 	install $(O)/plumbago $(O)/plumbago-profile "$(dest)/bin"
 	install $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-dxf "$(dest)/libexec/plumbago"
 	install -m 644 src/api/plumbago.h "$(dest)/include"
-	install -m 644 $(O)/libplumbago.a "$(dest)/lib"
+	install -d "$(DESTDIR)$(LIBDIR)/pkgconfig"
+	install -m 644 $(O)/libplumbago.a $(O)/$(shared) "$(DESTDIR)$(LIBDIR)"
+	ln -sf $(shared) "$(DESTDIR)$(LIBDIR)/libplumbago.so.$(SOVERSION)"
+	ln -sf libplumbago.so.$(SOVERSION) "$(DESTDIR)$(LIBDIR)/libplumbago.so"
 	install -m 644 $(pencils) "$(dest)/share/plumbago/profiles"
-	printf '%s\n' 'prefix=$(PREFIX)' 'Name: plumbago' 'Description: vector drawings drawn with a pencil' 'Version: $(VERSION)' \
-	    'Requires: cairo libpng zlib libseccomp' 'Libs: -L$${prefix}/lib -lplumbago -lm -pthread' 'Cflags: -I$${prefix}/include' \
-	    > "$(dest)/lib/pkgconfig/plumbago.pc"
+	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'Name: plumbago' 'Description: vector drawings drawn with a pencil' 'Version: $(VERSION)' \
+	    'Requires: cairo' 'Requires.private: $(filter-out cairo,$(packages_lib))' 'Libs: -L$${libdir} -lplumbago' 'Libs.private: -lm -pthread' \
+	    'Cflags: -I$${prefix}/include' > "$(DESTDIR)$(LIBDIR)/pkgconfig/plumbago.pc"
+	if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ]; then ldconfig "$(LIBDIR)"; fi
 	for m in $(notdir $(manuals)); do d="$(dest)/share/man/man$${m##*.}"; install -d "$$d" && \
 	    sed 's#/usr/local#$(PREFIX)#g' man/$$m > "$$d/$$m" && chmod 644 "$$d/$$m" || exit 1; done
 uninstall:
 	rm -f "$(dest)/bin/plumbago" "$(dest)/bin/plumbago-profile" "$(dest)/include/plumbago.h"
-	rm -f "$(dest)/lib/libplumbago.a" "$(dest)/lib/pkgconfig/plumbago.pc"
+	rm -f "$(DESTDIR)$(LIBDIR)"/libplumbago.a "$(DESTDIR)$(LIBDIR)"/libplumbago.so* "$(DESTDIR)$(LIBDIR)/pkgconfig/plumbago.pc"
 	rm -rf "$(dest)/libexec/plumbago" "$(dest)/share/plumbago"
 	for m in $(notdir $(manuals)); do rm -f "$(dest)/share/man/man$${m##*.}/$$m"; done
 

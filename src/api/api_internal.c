@@ -4,6 +4,8 @@
  */
 #include "api/api_internal.h"
 
+#include "base/number/units.h"
+
 #include <string.h>
 
 /* The two enumerations list the same kinds in the same order: one is the caller's, the other the library's. */
@@ -49,4 +51,9 @@ log_sink plb_api_messenger(const api_adaptor *adaptor)
 const char *plb_version(void)
 {
     return TEXT(PLB_VERSION_MAJOR) "." TEXT(PLB_VERSION_MINOR) "." TEXT(PLB_VERSION_PATCH);
+}
+
+bool plb_parse_length(const char *text, double *mm)
+{
+    return plb_read_length(text, mm);
 }

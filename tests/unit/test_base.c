@@ -54,13 +54,13 @@ static void numbers_are_written(void)
 static void lengths_are_read(void)
 {
     double mm;
-    CHECK(plb_parse_length("5/300in", &mm) && fabs(mm - 5 * MM_PER_PAPER_PX) < 1e-12);
-    CHECK(plb_parse_length("96", &mm) && fabs(mm - 25.4) < 1e-12);
-    CHECK(plb_parse_length("1.5cm", &mm) && fabs(mm - 15) < 1e-12);
-    CHECK(plb_parse_length("72pt", &mm) && fabs(mm - 25.4) < 1e-12);
+    CHECK(plb_read_length("5/300in", &mm) && fabs(mm - 5 * MM_PER_PAPER_PX) < 1e-12);
+    CHECK(plb_read_length("96", &mm) && fabs(mm - 25.4) < 1e-12);
+    CHECK(plb_read_length("1.5cm", &mm) && fabs(mm - 15) < 1e-12);
+    CHECK(plb_read_length("72pt", &mm) && fabs(mm - 25.4) < 1e-12);
     static const char *const wrong[] = {"", "mm", "5 mm", "5furlongs", "5/0in", "5//3in", "1e999mm"};
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++)
-        CHECK(!plb_parse_length(wrong[i], &mm));
+        CHECK(!plb_read_length(wrong[i], &mm));
 }
 
 static void matrices_compose(void)

@@ -76,7 +76,7 @@ static bool is_in_range(const plb_setting *s, double value)
 static bool store_double(const setting *s, void *field, const char *text)
 {
     double value;
-    bool ok = s->shown.kind == PLB_SETTING_NUMBER ? read_number(text, &value) : s->shown.kind == PLB_SETTING_RATIO ? read_ratio(text, &value) : plb_parse_length(text, &value);
+    bool ok = s->shown.kind == PLB_SETTING_NUMBER ? read_number(text, &value) : s->shown.kind == PLB_SETTING_RATIO ? read_ratio(text, &value) : plb_read_length(text, &value);
     if (ok && is_in_range(&s->shown, value))
         return *(double *)field = value, true;
     return false;

@@ -13,7 +13,7 @@ static const struct {
     {"mm", 1}, {"cm", 10}, {"in", MM_PER_INCH}, {"pt", MM_PER_INCH / 72}, {"px", MM_PER_INCH / 96}, {"", MM_PER_INCH / 96},
 };
 
-bool plb_parse_length(const char *text, double *mm)
+bool plb_read_length(const char *text, double *mm)
 {
     const char *end = text + strlen(text), *p;
     double value, divisor = 1;

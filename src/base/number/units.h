@@ -14,6 +14,6 @@
 
 /* Reads "12.5mm", "5/300in", "36" (default unit px = 1/96 in) and the like; units mm cm in pt px. `mm` gets
  * millimetres. False when the text is not a length. Independent of the locale. */
-bool plb_parse_length(const char *text, double *mm);
+bool plb_read_length(const char *text, double *mm);
 
 #endif

@@ -21,7 +21,7 @@ typedef struct {
     TIFF *tiff;
     struct {
         uint8_t *v;
-        size_t n, room, at;
+        size_t n, capacity, at;
     } file;
     bool no_memory;
     char why[256]; /* libtiff's words */
