@@ -9,7 +9,7 @@
 #include <string.h>
 
 /* The two enumerations list the same kinds in the same order: one is the caller's, the other the library's. */
-_Static_assert((int)PLB_OK == ERROR_NONE && (int)PLB_ERROR_HELPER == ERROR_HELPER && (int)PLB_ERROR_LIMIT == ERROR_LIMIT,
+_Static_assert((int)PLB_OK == ERROR_NONE && (int)PLB_ERROR_CANCELLED == ERROR_CANCELLED && (int)PLB_ERROR_LIMIT == ERROR_LIMIT,
                "plb_status and error_kind must agree");
 
 bool plb_api_fail(plb_error *to, const error *from)
@@ -31,6 +31,11 @@ bool plb_api_finish(const error *from, plb_error *to)
         to->text[0] = '\0';
     }
     return true;
+}
+
+bool plb_api_report(const plb_options *o, double done, error *err)
+{
+    return !o->progress || o->progress(o->progress_closure, done) || plb_fail(err, ERROR_CANCELLED, "stopped");
 }
 
 static void say(void *closure, message_level level, const char *text)

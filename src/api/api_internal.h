@@ -43,6 +43,12 @@ bool plb_api_fail(plb_error *to, const error *from);
 /* The end of a call: true when `from` holds no error, and the caller's error is cleared; else as plb_api_fail. */
 bool plb_api_finish(const error *from, plb_error *to);
 
+/* Of the progress that callers are told, what reading and planning take (chosen by eye). */
+#define PROGRESS_READ 0.1
+#define PROGRESS_PLANNED 0.2
+/* Tells the caller how much is done; false and `err` when that says stop. */
+bool plb_api_report(const plb_options *o, double done, error *err);
+
 /* The caller's message function as the library's log_sink: `adaptor` must outlive what plb_api_messenger returns. */
 typedef struct {
     plb_message_function message;

@@ -41,15 +41,6 @@ static void report_omissions(const plb_drawing *d, const omissions *left_out, co
         plb_log(say, MESSAGE_WARNING, "%s: nothing in it leaves a mark: the page is empty", d->name);
 }
 
-static bool set_name(plb_drawing *d, const char *name, error *err)
-{
-    d->name = plb_new(strlen(name) + 1, 1);
-    if (!d->name)
-        return plb_fail_memory(err);
-    strcpy(d->name, name);
-    return true;
-}
-
 /* The same line on two pages is drawn twice, so it differs. */
 static void mark_page(stroke_list *s, unsigned number)
 {
@@ -57,39 +48,62 @@ static void mark_page(stroke_list *s, unsigned number)
         s->strokes.v[i].identity = random_fold(s->strokes.v[i].identity, number, 0);
 }
 
-/* The plan knows no files: what it says gets the drawing's name here. */
+typedef struct {
+    const char *name;
+    const log_sink *say;
+} named_sink;
+
+/* The plan knows no files: its messages get the drawing's name here. */
 static void say_named(void *closure, message_level level, const char *text)
 {
-    const input_source *in = closure;
-    plb_log(&in->say, level, "%s: %s", in->name, text);
+    const named_sink *to = closure;
+    plb_log(to->say, level, "%s: %s", to->name, text);
 }
 
-static bool draw(plb_drawing *d, const input_source *in, const plb_options *o, error *err)
+/* From what was drawn to what a hand draws: the stages in order. */
+static bool plan(plb_drawing *d, const log_sink *say, error *err)
 {
-    if (!plb_input_read(in, &d->list, err) || !set_name(d, in->name, err))
-        return false;
-    plan_options how = plb_api_plan_options(o);
-    log_sink named = {say_named, (void *)(uintptr_t)in};
+    const plb_options *o = d->options;
+    plan_options options = plb_api_plan_options(o);
+    return fit(&d->list, o, err) &&
+           (!plb_api_needs_tone(&d->list, &options) || plb_api_measure_tone(o, &options, err)) &&
+           plb_plan(&d->list, &options, say, &d->strokes, err) && plb_api_report(o, PROGRESS_PLANNED, err);
+}
+
+bool plb_api_plan(plb_drawing *d, const log_sink *say, error *err)
+{
+    named_sink named = {d->name, say};
+    log_sink to_named = {say_named, &named};
     error late = {ERROR_NONE, ""};
     omissions left_out = plb_list_count_omissions(&d->list);
-    if (!fit(&d->list, o, &late) || (plb_api_needs_tone(&d->list, &how) && !plb_api_measure_tone(o, &how, &late)) ||
-        !plb_plan(&d->list, &how, &named, &d->strokes, &late))
+    if (!plan(d, &to_named, &late))
         return plb_fail(err, late.kind, "%s: %s", d->name, late.text);
-    mark_page(&d->strokes, (unsigned)o->page);
-    report_omissions(d, &left_out, &in->say);
+    mark_page(&d->strokes, (unsigned)d->options->page);
+    report_omissions(d, &left_out, say);
     return true;
+}
+
+plb_drawing *plb_api_drawing_new(const char *name, const plb_options *o, error *err)
+{
+    plb_drawing *d = plb_new(1, sizeof *d);
+    if (d) {
+        plb_list_init(&d->list);
+        d->name = plb_new(strlen(name) + 1, 1);
+        d->options = plb_options_copy(o);
+    }
+    if (d && d->name && d->options) {
+        strcpy(d->name, name);
+        return d;
+    }
+    plb_fail_memory(err);
+    plb_drawing_free(d);
+    return NULL;
 }
 
 plb_drawing *plb_api_draw(const input_source *in, const plb_options *o, error *err)
 {
-    plb_drawing *d = plb_new(1, sizeof *d);
-    if (!d) {
-        plb_fail_memory(err);
-        return NULL;
-    }
-    plb_list_init(&d->list);
-    d->options = plb_options_copy(o);
-    if (d->options ? draw(d, in, o, err) : plb_fail_memory(err))
+    plb_drawing *d = plb_api_drawing_new(in->name, o, err);
+    if (d && plb_api_report(o, 0, err) && plb_input_read(in, &d->list, err) && plb_api_report(o, PROGRESS_READ, err) && plb_api_plan(d, &in->say, err))
         return d;
     plb_drawing_free(d);
     return NULL;

@@ -11,6 +11,13 @@
 #include "stroke/stroke.h"
 #include "surface/page.h"
 
+/* A drawing of nothing yet, with a copy of the options; NULL and `err` when out of memory. */
+plb_drawing *plb_api_drawing_new(const char *name, const plb_options *o, error *err);
+/* Makes the strokes of what is in d->list. Messages go to `say` with the drawing's name. */
+bool plb_api_plan(plb_drawing *d, const log_sink *say, error *err);
+/* The caller's options or, in `own`, new ones, which are freed after the call; NULL and `err` when they do not go together. */
+const plb_options *plb_api_options_checked(const plb_options *given, plb_options **own, error *err);
+
 /* The drawing in a file; NULL and `err` on failure. */
 plb_drawing *plb_api_draw(const input_source *in, const plb_options *o, error *err);
 

@@ -32,7 +32,8 @@ typedef enum {
     PLB_ERROR_LIMIT,       /* a bound on time, memory, size or depth was reached */
     PLB_ERROR_MEMORY,      /* an allocation failed */
     PLB_ERROR_ARGUMENT,    /* the call asks for something impossible */
-    PLB_ERROR_HELPER       /* a helper program is missing or died */
+    PLB_ERROR_HELPER,      /* a helper program is missing or died */
+    PLB_ERROR_CANCELLED    /* the caller's progress function said stop */
 } plb_status;
 
 /* Why a call failed: one line without a newline, "FILE:LINE: what is wrong" where a file is to blame. A call that succeeds
@@ -45,8 +46,9 @@ typedef struct {
 /* Called for warnings (level 0) and details (level 1) while a call runs; `text` is one line, valid during the call. */
 typedef void (*plb_message_function)(void *closure, int level, const char *text);
 
-/* Told now and then how much of a call is done, 0 to 1, by the thread that made the call. */
-typedef void (*plb_progress_function)(void *closure, double done);
+/* Told now and then how much is done, by the thread that made the call: 0 to 0.2 while a drawing is read and planned, from there to 1
+ * while it is drawn and written. False stops the call, which then fails with PLB_ERROR_CANCELLED. */
+typedef bool (*plb_progress_function)(void *closure, double done);
 
 /* The version that a program is compiled with. The numbers grow with it: #if PLB_VERSION_NUMBER >= 200. */
 #define PLB_VERSION_MAJOR 0
@@ -72,6 +74,8 @@ PLB_API const char *plb_pencil_name(size_t index);
 /* Loads one of the eight pencils by name, any case, or else the file of that name (pencil(5)). The caller frees
  * the result. NULL and `error` (may be NULL) on failure. */
 PLB_API plb_profile *plb_profile_load(const char *pencil, plb_error *error);
+/* The same from the bytes of such a file; `name` is for messages, NULL: "memory". */
+PLB_API plb_profile *plb_profile_from_memory(const void *data, size_t size, const char *name, plb_error *error);
 PLB_API void plb_profile_free(plb_profile *profile);
 /* Borrowed; lives as long as the profile. */
 PLB_API const char *plb_profile_name(const plb_profile *profile);
@@ -187,11 +191,72 @@ PLB_API size_t plb_drawing_strokes(const plb_drawing *drawing);
 typedef struct plb_file plb_file;
 /* Reads all bytes of `file` ("-": standard input). The caller frees the result. NULL and `error` on failure. */
 PLB_API plb_file *plb_file_load(const char *file, plb_error *error);
+/* The same of bytes at hand, which are copied; `name` is for messages, NULL: "memory". */
+PLB_API plb_file *plb_file_from_memory(const void *data, size_t size, const char *name, plb_error *error);
 PLB_API void plb_file_free(plb_file *file);
 /* How many pages it has; 0 and `error` on failure. */
 PLB_API unsigned plb_file_pages(const plb_file *file, const plb_options *options, plb_error *error);
 /* The drawing on the page that the setting `page` names. The caller frees the result. NULL and `error` on failure. */
 PLB_API plb_drawing *plb_file_draw(const plb_file *file, const plb_options *options, plb_error *error);
+
+/* ---- drawings of a program's own -------------------------------------------------------------------------- */
+
+/* A canvas: a page on which a program draws paths in mm, x to the right, y down; they become pencil strokes as those of a file do.
+ * A call that fails is remembered, and plb_canvas_draw says why. */
+typedef struct plb_canvas plb_canvas;
+/* An empty page of so many mm. The caller frees the result. NULL and `error` on failure. */
+PLB_API plb_canvas *plb_canvas_new(double width, double height, plb_error *error);
+PLB_API void plb_canvas_free(plb_canvas *canvas);
+
+/* These add to the path at hand. An arc is about (x, y), from one angle to another, in radians, growing clockwise as seen on paper; a line
+ * leads to its beginning. */
+PLB_API void plb_canvas_move_to(plb_canvas *canvas, double x, double y);
+PLB_API void plb_canvas_line_to(plb_canvas *canvas, double x, double y);
+PLB_API void plb_canvas_curve_to(plb_canvas *canvas, double x1, double y1, double x2, double y2, double x3, double y3);
+PLB_API void plb_canvas_arc(plb_canvas *canvas, double x, double y, double radius, double from, double to);
+PLB_API void plb_canvas_close_path(plb_canvas *canvas);
+
+typedef enum { PLB_CAP_BUTT, PLB_CAP_ROUND, PLB_CAP_SQUARE } plb_cap;
+/* The paint, 0 to 1 each, default opaque black; the width of lines, default 0.35 mm; their ends, default butt; the lengths of dashes and
+ * gaps in turn, mm (n = 0, the default: solid); the rule of fills and clips, default nonzero. */
+PLB_API void plb_canvas_set_colour(plb_canvas *canvas, double red, double green, double blue, double alpha);
+PLB_API void plb_canvas_set_width(plb_canvas *canvas, double mm);
+PLB_API void plb_canvas_set_cap(plb_canvas *canvas, plb_cap cap);
+PLB_API void plb_canvas_set_dash(plb_canvas *canvas, const double *mm, size_t n, double offset);
+PLB_API void plb_canvas_set_even_odd(plb_canvas *canvas, bool even_odd);
+
+/* Strokes the path, fills it, or narrows the clip to it; then there is no path. */
+PLB_API void plb_canvas_stroke(plb_canvas *canvas);
+PLB_API void plb_canvas_fill(plb_canvas *canvas);
+PLB_API void plb_canvas_clip(plb_canvas *canvas);
+PLB_API void plb_canvas_reset_clip(plb_canvas *canvas);
+
+/* Makes a drawing of what is on the canvas, which is empty afterwards. The caller frees the result. NULL and `error` on failure. */
+PLB_API plb_drawing *plb_canvas_draw(plb_canvas *canvas, const plb_options *options, plb_error *error);
+
+/* ---- strokes ---------------------------------------------------------------------------------------------- */
+
+typedef struct {
+    double x, y; /* mm */
+} plb_point;
+typedef enum { PLB_STROKE_LINE, PLB_STROKE_HATCH, PLB_STROKE_LETTER, PLB_STROKE_GUIDE } plb_stroke_kind;
+/* A movement of the pencil. */
+typedef struct {
+    plb_stroke_kind kind;
+    double pressure;         /* times the usual */
+    uint32_t colour;         /* 0xRRGGBB; 0: graphite */
+    double width;            /* of the pencil's line at half its depth, mm */
+    bool closed;
+    size_t n;
+    const plb_point *points; /* the line that is meant; borrowed from the drawing */
+} plb_stroke;
+/* Stroke number `index` in the order in which they are drawn; false past the last one. */
+PLB_API bool plb_drawing_stroke(const plb_drawing *drawing, size_t index, plb_stroke *stroke);
+/* The path that the hand makes of it: `n` points, to be joined by straight lines, which the caller frees with plb_memory_free. NULL and
+ * `error` on failure. */
+PLB_API plb_point *plb_drawing_trace(const plb_drawing *drawing, size_t index, size_t *n, const plb_options *options, plb_error *error);
+
+/* ---- pictures --------------------------------------------------------------------------------------------- */
 
 /* A format of pictures that the library knows. */
 typedef struct {
@@ -245,11 +310,27 @@ PLB_API cairo_surface_t *plb_drawing_render(const plb_drawing *drawing, const pl
 typedef enum { PLB_DUMP_LIST, PLB_DUMP_STROKES, PLB_DUMP_CONTROLS } plb_dump;
 PLB_API bool plb_drawing_dump(const plb_drawing *drawing, plb_dump what, const char *file, const plb_options *options, plb_error *error);
 
+typedef enum { PLB_PIXELS_GREY, PLB_PIXELS_GREY_ALPHA, PLB_PIXELS_RGB, PLB_PIXELS_RGBA } plb_pixel_format;
+/* Pixels of the caller's: rows of bytes, alpha not multiplied in. */
+typedef struct {
+    void *data;
+    size_t stride;     /* bytes from a row to the next */
+    plb_pixel_format format;
+    int x, y;          /* the page's pixel that comes first; the page may end within */
+    int width, height;
+} plb_pixels;
+/* How many pixels the page has at the setting `dpi`. */
+PLB_API bool plb_drawing_size(const plb_drawing *drawing, int *width, int *height, const plb_options *options, plb_error *error);
+/* Draws a part of the page into the caller's pixels. What lies beside the page stays as it is. */
+PLB_API bool plb_drawing_render_pixels(const plb_drawing *drawing, const plb_pixels *to, const plb_options *options, plb_error *error);
+
 /* Draws one pencil line from (x0, y0) to (x1, y1) onto a cairo image surface (ARGB32, RGB24 or A8; not finished), in
- * pixels of the surface, which is taken to have the setting `dpi`. It darkens what is there, as graphite does. `number` tells
+ * pixels of the surface, which is taken to have the setting `dpi`. It darkens what is there, as graphite does. `line_id` tells
  * lines with the same ends apart. */
-PLB_API bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, double y1, uint64_t number,
+PLB_API bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, double y1, uint64_t line_id,
                            const plb_options *options, plb_error *error);
+/* Draws `n` lines, each given as x0, y0, x1, y1; the first has the identity `line_id`, the next the number after it. */
+PLB_API bool plb_draw_lines(cairo_surface_t *surface, const double (*ends)[4], size_t n, uint64_t line_id, const plb_options *options, plb_error *error);
 
 #ifdef __cplusplus
 }

@@ -18,7 +18,8 @@ typedef enum {
     ERROR_LIMIT,       /* a bound on time, memory, size or depth was reached */
     ERROR_MEMORY,      /* an allocation failed */
     ERROR_ARGUMENT,    /* the caller asked for something impossible */
-    ERROR_HELPER       /* a helper program is missing or died */
+    ERROR_HELPER,      /* a helper program is missing or died */
+    ERROR_CANCELLED    /* the caller said stop */
 } error_kind;
 
 typedef struct {

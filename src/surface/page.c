@@ -134,6 +134,11 @@ bool plb_page_init(page *p, int width, int height, int rows, bool colour, const 
     return true;
 }
 
+void plb_page_start_at(page *p, int top)
+{
+    begin_band(p, top);
+}
+
 void plb_page_free(page *p)
 {
     for (int k = 0; k < p->locks; k++)

@@ -71,6 +71,8 @@ static inline uint16_t *plb_page_deposits(const page *p, int plane, int y)
 {
     return p->deposit + (size_t)plane * p->plane + (size_t)(y - p->top) * p->stride;
 }
+/* Begins at row `top` instead of the first one. */
+void plb_page_start_at(page *p, int top);
 /* On to the band below, blank; false at the foot of the page. */
 bool plb_page_next_band(page *p);
 /* Lays a patch of the pigment, on a grey page of graphite; what lies outside the band is lost. May be called by several

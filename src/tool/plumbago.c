@@ -163,21 +163,22 @@ static void on_message(void *closure, int level, const char *text)
 }
 
 /* On a terminal, from the second second on, at most once for each percent. */
-static void on_progress(void *closure, double done)
+static bool on_progress(void *closure, double done)
 {
     settings *s = closure;
     double passed = difftime(time(NULL), s->started);
     if (done >= 1 || passed < 2) {
         clear_progress(s);
-        return;
+        return true;
     }
     if (s->progress_shown && (int)(done * 100) == s->percent)
-        return;
+        return true;
     s->percent = (int)(done * 100);
     fprintf(stderr, "\r" PROGRAM ": %3d %%", s->percent);
     if (done > 0.01)
         fprintf(stderr, ", %.0f s left\033[K", passed * (1 - done) / done);
     s->progress_shown = true;
+    return true;
 }
 
 static int fail(settings *s, const plb_error *e)

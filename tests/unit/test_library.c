@@ -7,6 +7,7 @@
 #include "api/plumbago.h"
 
 #include <math.h>
+#include <unistd.h>
 
 /* A coarse page, for speed. */
 static plb_options *options_at(double dpi)
@@ -103,11 +104,287 @@ static void errors_are_one_line(void)
     CHECK(!strpbrk(e.text, "\n\t") && strstr(e.text, "no?such?pencil"));
 }
 
+/* ---- drawings of a program's own ---- */
+
+#define WIDTH 60
+#define HEIGHT 40
+
+static plb_canvas *canvas_with_lines(void)
+{
+    plb_canvas *c = plb_canvas_new(WIDTH, HEIGHT, NULL);
+    plb_canvas_move_to(c, 5, 5);
+    plb_canvas_line_to(c, 55, 5);
+    plb_canvas_curve_to(c, 60, 15, 40, 25, 55, 35);
+    plb_canvas_stroke(c);
+    plb_canvas_set_colour(c, 0.8, 0.1, 0.1, 1);
+    plb_canvas_arc(c, 20, 22, 8, 0, 2 * 3.14159265358979);
+    plb_canvas_close_path(c);
+    plb_canvas_stroke(c);
+    return c;
+}
+
+static plb_drawing *drawing_of_lines(void)
+{
+    plb_canvas *c = canvas_with_lines();
+    plb_options *o = options_at(100);
+    plb_drawing *d = plb_canvas_draw(c, o, NULL);
+    plb_canvas_free(c);
+    plb_options_free(o);
+    return d;
+}
+
+static void a_canvas_becomes_strokes(void)
+{
+    plb_canvas *c = canvas_with_lines();
+    plb_error e;
+    plb_drawing *d = plb_canvas_draw(c, NULL, &e);
+    CHECK(d && e.status == PLB_OK && plb_drawing_width(d) == WIDTH && plb_drawing_height(d) == HEIGHT);
+    size_t n = plb_drawing_strokes(d);
+    CHECK(n == 3); /* the line, the curve round the corner, the circle */
+    plb_stroke s;
+    double top = 1e9;
+    for (size_t i = 0; plb_drawing_stroke(d, i, &s); i++) {
+        CHECK(s.n >= 2 && s.kind == PLB_STROKE_LINE && s.pressure > 0 && s.colour == 0);
+        CHECK_RANGE(s.width, 0.3, 0.6);
+        for (size_t k = 0; k < s.n; k++)
+            top = fmin(top, s.points[k].y);
+        size_t traced;
+        plb_point *path = plb_drawing_trace(d, i, &traced, NULL, &e);
+        CHECK(path && traced >= 2 && (s.closed || hypot(path[0].x - s.points[0].x, path[0].y - s.points[0].y) < 3));
+        plb_memory_free(path);
+    }
+    CHECK(fabs(top - 5) < 1e-9 && !plb_drawing_stroke(d, n, &s));
+    size_t none;
+    CHECK(!plb_drawing_trace(d, n, &none, NULL, &e) && e.status == PLB_ERROR_ARGUMENT);
+    plb_drawing_free(d);
+    d = plb_canvas_draw(c, NULL, &e); /* it is empty now */
+    CHECK(d && plb_drawing_strokes(d) == 0);
+    plb_drawing_free(d);
+    plb_canvas_free(c);
+}
+
+/* The same drawing by way of a file, in which numbers are exact, is the same picture, byte for byte. */
+static void a_canvas_draws_what_a_file_does(void)
+{
+    static const char text[] = "plumbago-list 1\npage 60 40\nstroke - colour 0 0 0 1 width 0.5 butt dash 4 2 @ 0 M 5 5 L 55 5\n"
+                               "fill - colour 0.4 0.4 0.4 1 nonzero M 10 15 L 40 15 L 40 35 L 10 35 Z\nend\n";
+    plb_options *o = options_at(100);
+    plb_error e;
+    plb_file *f = plb_file_from_memory(text, sizeof text - 1, "text", &e);
+    plb_drawing *from_file = f ? plb_file_draw(f, o, &e) : NULL;
+    plb_canvas *c = plb_canvas_new(WIDTH, HEIGHT, &e);
+    plb_canvas_set_width(c, 0.5);
+    plb_canvas_set_dash(c, (const double[]){4, 2}, 2, 0);
+    plb_canvas_move_to(c, 5, 5);
+    plb_canvas_line_to(c, 55, 5);
+    plb_canvas_stroke(c);
+    plb_canvas_set_colour(c, 0.4, 0.4, 0.4, 1);
+    plb_canvas_move_to(c, 10, 15);
+    plb_canvas_line_to(c, 40, 15);
+    plb_canvas_line_to(c, 40, 35);
+    plb_canvas_line_to(c, 10, 35);
+    plb_canvas_close_path(c);
+    plb_canvas_fill(c);
+    plb_drawing *own = plb_canvas_draw(c, o, &e);
+    CHECK(from_file && own && plb_drawing_strokes(own) > 10 && plb_drawing_strokes(own) == plb_drawing_strokes(from_file));
+    size_t n = 0, m = 1;
+    void *a = plb_drawing_write_memory(own, "png", &n, o, &e), *b = plb_drawing_write_memory(from_file, "png", &m, o, &e);
+    CHECK(a && b && n == m && !memcmp(a, b, n));
+    plb_memory_free(a);
+    plb_memory_free(b);
+    plb_drawing_free(own);
+    plb_drawing_free(from_file);
+    plb_canvas_free(c);
+    plb_file_free(f);
+    plb_options_free(o);
+}
+
+static void clips_hold_strokes_back(void)
+{
+    plb_canvas *c = plb_canvas_new(WIDTH, HEIGHT, NULL);
+    plb_canvas_move_to(c, 0, 0);
+    plb_canvas_line_to(c, 30, 0);
+    plb_canvas_line_to(c, 30, 40);
+    plb_canvas_line_to(c, 0, 40);
+    plb_canvas_clip(c);
+    plb_canvas_move_to(c, 5, 20);
+    plb_canvas_line_to(c, 55, 20);
+    plb_canvas_stroke(c);
+    plb_drawing *d = plb_canvas_draw(c, NULL, NULL);
+    plb_stroke s;
+    CHECK(d && plb_drawing_strokes(d) == 1 && plb_drawing_stroke(d, 0, &s) && fmax(s.points[0].x, s.points[s.n - 1].x) < 30.5);
+    plb_drawing_free(d);
+    plb_canvas_free(c);
+}
+
+static void a_canvas_remembers_what_failed(void)
+{
+    plb_error e;
+    CHECK(!plb_canvas_new(-1, 40, &e) && e.status == PLB_ERROR_ARGUMENT);
+    CHECK(!plb_canvas_new(NAN, 40, &e) && e.status == PLB_ERROR_ARGUMENT);
+    plb_canvas *c = canvas_with_lines();
+    plb_canvas_line_to(c, NAN, 2);
+    plb_canvas_line_to(c, 3, 2);
+    CHECK(!plb_canvas_draw(c, NULL, &e) && e.status == PLB_ERROR_ARGUMENT && strstr(e.text, "no number"));
+    plb_canvas_free(c);
+    c = canvas_with_lines();
+    plb_canvas_set_dash(c, (const double[]){0, 0}, 2, 0);
+    CHECK(!plb_canvas_draw(c, NULL, &e) && e.status == PLB_ERROR_ARGUMENT && strstr(e.text, "dashes"));
+    plb_canvas_free(c);
+}
+
+/* ---- what comes out ---- */
+
+static void pixels_of_a_part_are_those_of_the_page(void)
+{
+    static const plb_pixel_format formats[] = {PLB_PIXELS_GREY, PLB_PIXELS_GREY_ALPHA, PLB_PIXELS_RGB, PLB_PIXELS_RGBA};
+    plb_drawing *d = drawing_of_lines();
+    plb_options *o = options_at(100);
+    plb_error e;
+    int w, h;
+    CHECK(d && plb_drawing_size(d, &w, &h, o, &e) && w == 236 && h == 157);
+    uint8_t *page = malloc((size_t)w * (size_t)h);
+    plb_pixels whole = {page, (size_t)w, PLB_PIXELS_GREY, 0, 0, w, h};
+    CHECK(plb_drawing_render_pixels(d, &whole, o, &e));
+    for (int f = 0; f < 4; f++) {
+        enum { W = 90, H = 70, X = 170, Y = -9 };
+        size_t channels = (size_t)f + 1, stride = W * channels + 5;
+        uint8_t *part = malloc(stride * H);
+        memset(part, 7, stride * H);
+        plb_pixels to = {part, stride, formats[f], X, Y, W, H};
+        CHECK(plb_drawing_render_pixels(d, &to, o, &e));
+        int wrong = 0;
+        for (int y = 0; y < H; y++)
+            for (int x = 0; x < W; x++) {
+                bool on = X + x < w && Y + y >= 0 && Y + y < h;
+                wrong += part[(size_t)y * stride + (size_t)x * channels] != (on ? page[(size_t)(Y + y) * (size_t)w + (size_t)(X + x)] : 7);
+            }
+        CHECK(wrong == 0);
+        free(part);
+    }
+    plb_pixels narrow = {page, 10, PLB_PIXELS_RGB, 0, 0, 20, 20};
+    CHECK(!plb_drawing_render_pixels(d, &narrow, o, &e) && e.status == PLB_ERROR_ARGUMENT);
+    free(page);
+    plb_options_free(o);
+    plb_drawing_free(d);
+}
+
+static bool refuse(void *closure, const void *data, size_t n)
+{
+    (void)data;
+    (void)n;
+    return --*(int *)closure > 0;
+}
+
+static void sinks_may_refuse(void)
+{
+    static const char *const formats[] = {"png", "pdf", "svg", "jpeg", "webp", "tiff"};
+    plb_drawing *d = drawing_of_lines();
+    plb_error e;
+    for (int i = 0; i < 6; i++)
+        for (int after = 1; after < 4; after++) {
+            int left = after;
+            bool ok = plb_drawing_write_to(d, formats[i], refuse, &left, NULL, &e);
+            CHECK(ok || e.status == PLB_ERROR_FILE || e.status == PLB_ERROR_UNSUPPORTED);
+            CHECK(!ok || left > 0);
+        }
+    size_t n;
+    CHECK(!plb_drawing_write_memory(d, "gif", &n, NULL, &e) && e.status == PLB_ERROR_ARGUMENT);
+    CHECK(!plb_drawing_write(d, "x.gif", NULL, &e) && e.status == PLB_ERROR_ARGUMENT && strstr(e.text, ".gif"));
+    CHECK(!plb_drawing_write_png(d, "x.pdf", NULL, &e) && e.status == PLB_ERROR_ARGUMENT);
+    CHECK(!plb_document_new("x.png", &e) && e.status == PLB_ERROR_ARGUMENT);
+    plb_drawing_free(d);
+}
+
+static void many_lines_in_one_call(void)
+{
+    static const double ends[][4] = {{5, 5, 55, 50}, {50, 5, 5, 55}, {5, 30, 5, 30}};
+    plb_options *o = options_at(100);
+    cairo_surface_t *a = white_surface(), *b = white_surface();
+    plb_error e;
+    CHECK(plb_draw_lines(a, ends, 3, 4, o, &e));
+    for (unsigned i = 0; i < 3; i++)
+        CHECK(plb_draw_line(b, ends[i][0], ends[i][1], ends[i][2], ends[i][3], 4 + i, o, &e));
+    cairo_surface_flush(a);
+    cairo_surface_flush(b);
+    CHECK(darkest_of(a) < 200 && !memcmp(cairo_image_surface_get_data(a), cairo_image_surface_get_data(b), 60 * 4 * 60));
+    cairo_surface_destroy(a);
+    cairo_surface_destroy(b);
+    plb_options_free(o);
+}
+
+static void profiles_come_from_bytes(void)
+{
+    static char bytes[1 << 20];
+    char file[] = "/tmp/plumbago-test-XXXXXX";
+    int fd = mkstemp(file);
+    plb_error e;
+    plb_profile *p = plb_profile_load("2H", &e);
+    CHECK(fd >= 0 && p && plb_profile_save(p, file, &e));
+    FILE *from = fopen(file, "rb");
+    size_t n = from ? fread(bytes, 1, sizeof bytes, from) : 0;
+    plb_profile *q = plb_profile_from_memory(bytes, n, "bytes", &e);
+    CHECK(q && !strcmp(plb_profile_name(q), plb_profile_name(p)) && plb_profile_width(q) == plb_profile_width(p));
+    CHECK(!plb_profile_from_memory(bytes, n / 2, NULL, &e) && e.status != PLB_OK && strstr(e.text, "memory"));
+    fclose(from);
+    remove(file);
+    plb_profile_free(p);
+    plb_profile_free(q);
+}
+
+/* ---- progress ---- */
+
+typedef struct {
+    double last;
+    int calls, stop_at;
+    bool back;
+} told;
+
+static bool hear(void *closure, double done)
+{
+    told *t = closure;
+    t->back = t->back || done < t->last || done > 1;
+    t->last = done;
+    return ++t->calls != t->stop_at;
+}
+
+static void progress_can_say_stop(void)
+{
+    plb_canvas *c = canvas_with_lines();
+    plb_options *o = options_at(100);
+    plb_error e;
+    size_t n;
+    told all = {0};
+    plb_options_set_progress(o, hear, &all);
+    plb_drawing *d = plb_canvas_draw(c, o, &e);
+    void *png = plb_drawing_write_memory(d, "png", &n, o, &e);
+    CHECK(d && png && all.calls >= 3 && all.last == 1 && !all.back);
+    plb_memory_free(png);
+    static const char *const formats[] = {"png", "svg"};
+    for (int f = 0; f < 2; f++) {
+        told stop = {.stop_at = 1};
+        plb_options_set_progress(o, hear, &stop);
+        CHECK(!plb_drawing_write_memory(d, formats[f], &n, o, &e) && e.status == PLB_ERROR_CANCELLED && n == 0);
+    }
+    plb_drawing_free(d);
+    plb_canvas_free(c);
+    plb_options_free(o);
+}
+
 int main(void)
 {
     RUN(surfaces_that_cannot_be_drawn_on);
     RUN(lines_with_impossible_ends);
     RUN(success_clears_an_old_error);
     RUN(errors_are_one_line);
+    RUN(a_canvas_becomes_strokes);
+    RUN(a_canvas_draws_what_a_file_does);
+    RUN(clips_hold_strokes_back);
+    RUN(a_canvas_remembers_what_failed);
+    RUN(pixels_of_a_part_are_those_of_the_page);
+    RUN(sinks_may_refuse);
+    RUN(many_lines_in_one_call);
+    RUN(profiles_come_from_bytes);
+    RUN(progress_can_say_stop);
     CHECK_EXIT;
 }

@@ -14,23 +14,39 @@ struct plb_file {
     size_t size;
 };
 
-static bool load(plb_file *f, const char *name, error *err)
+/* Without its bytes. */
+static plb_file *new_file(const char *name, error *err)
 {
-    const char *shown = strcmp(name, "-") ? name : "standard input";
-    f->name = plb_new(strlen(shown) + 1, 1);
-    if (!f->name)
-        return plb_fail_memory(err);
-    strcpy(f->name, shown);
-    return plb_input_load(name, &f->data, &f->size, err);
+    plb_file *f = plb_new(1, sizeof *f);
+    if (f)
+        f->name = plb_new(strlen(name) + 1, 1);
+    if (f && f->name)
+        return strcpy(f->name, name), f;
+    plb_fail_memory(err);
+    plb_file_free(f);
+    return NULL;
 }
 
 static plb_file *load_file(const char *name, error *err)
 {
-    plb_file *f = plb_new(1, sizeof *f);
-    if (!f)
-        plb_fail_memory(err);
-    if (f && load(f, name, err))
+    plb_file *f = new_file(strcmp(name, "-") ? name : "standard input", err);
+    if (f && plb_input_load(name, &f->data, &f->size, err))
         return f;
+    plb_file_free(f);
+    return NULL;
+}
+
+static plb_file *copy_bytes(const void *data, size_t size, const char *name, error *err)
+{
+    plb_file *f = new_file(name, err);
+    if (f && size <= INPUT_MAX_BYTES && (f->data = plb_new(size + 1, 1))) {
+        memcpy(f->data, data, size);
+        f->size = size;
+        return f;
+    }
+    if (f && size > INPUT_MAX_BYTES)
+        plb_fail(err, ERROR_LIMIT, "%s: more than %zu MiB", name, INPUT_MAX_BYTES >> 20);
+    plb_fail_memory(err);
     plb_file_free(f);
     return NULL;
 }
@@ -39,6 +55,14 @@ plb_file *plb_file_load(const char *name, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
     plb_file *f = load_file(name, &err);
+    plb_api_finish(&err, failed);
+    return f;
+}
+
+plb_file *plb_file_from_memory(const void *data, size_t size, const char *name, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    plb_file *f = copy_bytes(data, size, name ? name : "memory", &err);
     plb_api_finish(&err, failed);
     return f;
 }
@@ -60,23 +84,13 @@ static input_source source_of(const plb_file *f, const plb_options *o, const api
                           .limits = {.seconds = o->limit_time, .spent = spent, .memory = (size_t)o->limit_memory << 20}};
 }
 
-/* The caller's options or, in `own`, new ones; NULL and `err` when they do not go together. */
-static const plb_options *checked(const plb_options *given, plb_options **own, error *err)
-{
-    *own = given ? NULL : plb_options_new();
-    const plb_options *o = given ? given : *own;
-    if (!o)
-        plb_fail_memory(err);
-    return o && plb_api_check(o, err) ? o : NULL;
-}
-
 unsigned plb_file_pages(const plb_file *f, const plb_options *given, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
     unsigned pages = 0;
     double spent = 0;
     plb_options *own;
-    const plb_options *o = checked(given, &own, &err);
+    const plb_options *o = plb_api_options_checked(given, &own, &err);
     if (o) {
         api_adaptor adaptor = {o->message, o->message_closure};
         input_source in = source_of(f, o, &adaptor, &spent);
@@ -93,7 +107,7 @@ plb_drawing *plb_file_draw(const plb_file *f, const plb_options *given, plb_erro
     double spent = 0;
     plb_drawing *d = NULL;
     plb_options *own;
-    const plb_options *o = checked(given, &own, &err);
+    const plb_options *o = plb_api_options_checked(given, &own, &err);
     if (o) {
         api_adaptor adaptor = {o->message, o->message_closure};
         input_source in = source_of(f, o, &adaptor, &spent);

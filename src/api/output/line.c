@@ -21,10 +21,10 @@ static bool lay_on_surface(void *closure, const patch *p)
     return true;
 }
 
-/* The identity of a line is a hash of its ends and the caller's number, as that of a planned stroke is of its shape. */
-static uint64_t identity_of(const point ends[2], uint64_t number)
+/* The identity of a line is a hash of its ends and the caller's line_id, as that of a planned stroke is of its shape. */
+static uint64_t identity_of(const point ends[2], uint64_t line_id)
 {
-    uint64_t h = random_mix(number + 1);
+    uint64_t h = random_mix(line_id + 1);
     for (int i = 0; i < 2; i++)
         h = random_fold(h, llround(ends[i].x * 1000), llround(ends[i].y * 1000));
     return h | 1;
@@ -47,35 +47,58 @@ static bool check_surface(cairo_surface_t *surface, error *err)
     return true;
 }
 
-static bool check_ends(const point ends[2], error *err)
+static bool check_ends(const double px[4], error *err)
 {
-    bool sane = fabs(ends[0].x) < 1e6 && fabs(ends[0].y) < 1e6 && fabs(ends[1].x) < 1e6 && fabs(ends[1].y) < 1e6;
+    bool sane = fabs(px[0]) < 1e6 && fabs(px[1]) < 1e6 && fabs(px[2]) < 1e6 && fabs(px[3]) < 1e6;
     return sane || plb_fail(err, ERROR_ARGUMENT, "a line's ends must lie within a million pixels");
 }
 
-/* `ends`: mm. */
-static bool draw(cairo_surface_t *surface, const point ends[2], uint64_t number, const render_context *t, error *err)
+/* What lines are drawn with, and on. */
+typedef struct {
+    const render_context *t;
+    line_target to;
+    stroke_scratch scratch;
+    double mm; /* of a pixel */
+} line_tools;
+
+static bool draw(line_tools *l, const double px[4], uint64_t line_id, error *err)
 {
-    point at[2] = {ends[0], ends[1]};
-    stroke one = {.style = STROKE_STYLE_USUAL, .identity = identity_of(ends, number), .n = 2};
-    stroke_list list = {.strokes = {&one, 1, 1}, .points = {at, 2, 2}};
-    stroke_scratch scratch = {0};
-    line_target to = {surface, &t->ink};
-    bool ok = plb_point_distance(ends[0], ends[1]) <= 0 || plb_stroke_draw(&list, &one, &t->stroke, &scratch, lay_on_surface, &to, err);
+    point ends[2] = {{px[0] * l->mm, px[1] * l->mm}, {px[2] * l->mm, px[3] * l->mm}};
+    stroke one = {.style = STROKE_STYLE_USUAL, .identity = identity_of(ends, line_id), .n = 2};
+    stroke_list list = {.strokes = {&one, 1, 1}, .points = {ends, 2, 2}};
+    return plb_point_distance(ends[0], ends[1]) <= 0 || plb_stroke_draw(&list, &one, &l->t->stroke, &l->scratch, lay_on_surface, &l->to, err);
+}
+
+static bool draw_all(cairo_surface_t *surface, const double (*ends)[4], size_t n, uint64_t line_id, const plb_options *o, error *err)
+{
+    render_context t;
+    if (!plb_api_context_init(&t, o, err))
+        return false;
+    line_tools tools = {.t = &t, .to = {surface, &t.ink}, .mm = MM_PER_INCH / o->dpi};
+    bool ok = true;
+    for (size_t i = 0; ok && i < n; i++)
+        ok = draw(&tools, ends[i], line_id + i, err);
     cairo_surface_mark_dirty(surface);
-    plb_stroke_scratch_free(&scratch);
+    plb_stroke_scratch_free(&tools.scratch);
     return ok;
 }
 
-bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, double y1, uint64_t number, const plb_options *o,
-                   plb_error *failed)
+bool plb_draw_lines(cairo_surface_t *surface, const double (*ends)[4], size_t n, uint64_t line_id, const plb_options *given, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
-    render_context t;
-    point px[2] = {{x0, y0}, {x1, y1}};
-    if (check_surface(surface, &err) && check_ends(px, &err) && plb_api_context_init(&t, o, &err)) {
-        double mm = MM_PER_INCH / o->dpi;
-        draw(surface, (point[]){{x0 * mm, y0 * mm}, {x1 * mm, y1 * mm}}, number, &t, &err);
-    }
+    plb_options *own;
+    const plb_options *o = plb_api_options_checked(given, &own, &err);
+    bool ok = o && check_surface(surface, &err);
+    for (size_t i = 0; ok && i < n; i++)
+        ok = check_ends(ends[i], &err);
+    if (ok)
+        draw_all(surface, ends, n, line_id, o, &err);
+    plb_options_free(own);
     return plb_api_finish(&err, failed);
+}
+
+bool plb_draw_line(cairo_surface_t *surface, double x0, double y0, double x1, double y1, uint64_t line_id, const plb_options *o,
+                   plb_error *failed)
+{
+    return plb_draw_lines(surface, (const double[][4]){{x0, y0, x1, y1}}, 1, line_id, o, failed);
 }

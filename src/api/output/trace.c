@@ -13,6 +13,8 @@
 #define MAX_ERROR 0.005
 /* Opacities: what is fainter is hardly seen on screens. */
 #define FAINTEST 0.05
+/* Strokes between two reports of progress. */
+#define REPORT_EVERY 64
 
 typedef ARRAY(uint32_t) colour_list;
 
@@ -106,12 +108,11 @@ bool plb_sheet_trace(picture *p, const plb_drawing *d, const plb_options *o, con
             const stroke *s = &d->strokes.strokes.v[i];
             if (s->style.colour != colours.v[k])
                 continue;
-            ok = add_stroke(&tr, p, d, s, t, err);
-            done++;
+            ok = (done++ % REPORT_EVERY || plb_api_report(o, PROGRESS_PLANNED + (1 - PROGRESS_PLANNED) * (double)done / (double)n, err)) &&
+                 add_stroke(&tr, p, d, s, t, err);
         }
     }
-    (void)o;
-    (void)done;
+    ok = ok && plb_api_report(o, 1, err);
     array_free(&colours);
     array_free(&tr.drawn);
     array_free(&tr.samples);

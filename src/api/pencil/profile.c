@@ -43,6 +43,12 @@ plb_profile *plb_profile_load(const char *pencil, plb_error *to)
     return wrap(plb_profile_read(pencil, &failed), &failed, to);
 }
 
+plb_profile *plb_profile_from_memory(const void *data, size_t size, const char *name, plb_error *to)
+{
+    error failed = {0};
+    return wrap(plb_profile_parse(name ? name : "memory", data, size, &failed), &failed, to);
+}
+
 void plb_profile_free(plb_profile *pencil)
 {
     if (!pencil || atomic_fetch_sub(&pencil->references, 1) > 1)

@@ -20,7 +20,7 @@ typedef struct {
 typedef struct {
     const stroke_list *list;
     const stroke_options *o;
-    int rows, bands;
+    int from, rows, bands; /* from: the first band's first row */
     span *spans;
     stroke_scratch scratch[THREAD_TEAM_MAX];
     error err[THREAD_TEAM_MAX];
@@ -31,6 +31,8 @@ static bool find(finder *f, int member, size_t i)
     int top, foot;
     if (!plb_stroke_rows(f->list, &f->list->strokes.v[i], f->o, &f->scratch[member], &top, &foot, &f->err[member]))
         return false;
+    top -= f->from;
+    foot -= f->from;
     int first = top < 0 ? 0 : top / f->rows, last = foot <= 0 ? -1 : (foot - 1) / f->rows;
     f->spans[i] = (span){first, last < f->bands ? last : f->bands - 1};
     return true;
@@ -66,16 +68,16 @@ static bool sort(band_strokes *b, const span *spans, size_t n)
     return b->index && next;
 }
 
-bool plb_bands_init(band_strokes *b, const stroke_list *list, const stroke_options *o, int height, int rows, int members, error *err)
+bool plb_bands_init(band_strokes *b, const stroke_list *list, const stroke_options *o, int from, int height, int rows, int members, error *err)
 {
     size_t n = list->strokes.n;
-    *b = (band_strokes){.n = (size_t)((height + rows - 1) / rows)};
+    *b = (band_strokes){.n = (size_t)((height - from + rows - 1) / rows)};
     b->first = plb_new(b->n + 1, sizeof *b->first);
     finder *f = plb_new(1, sizeof *f);
     span *spans = plb_new(n + 1, sizeof *spans);
     bool ok = b->first && f && spans && n <= UINT32_MAX;
     if (ok) {
-        *f = (finder){.list = list, .o = o, .rows = rows, .bands = (int)b->n, .spans = spans};
+        *f = (finder){.list = list, .o = o, .from = from, .rows = rows, .bands = (int)b->n, .spans = spans};
         if (b->n > 1) /* else all lie in it */
             ok = plb_thread_team_run(members, (n + BATCH - 1) / BATCH, find_batch, f);
         ok = ok && sort(b, spans, n);

@@ -14,8 +14,8 @@ typedef struct {
     uint32_t *index;
 } band_strokes;
 
-/* `rows`: of a band; `members`: threads. False and `err` on failure; free it then, too. */
-bool plb_bands_init(band_strokes *b, const stroke_list *list, const stroke_options *o, int height, int rows, int members, error *err);
+/* Of the page's rows [top, height). `rows`: of a band; `members`: threads. False and `err` on failure; free it then, too. */
+bool plb_bands_init(band_strokes *b, const stroke_list *list, const stroke_options *o, int top, int height, int rows, int members, error *err);
 void plb_bands_free(band_strokes *b);
 
 #endif

@@ -16,6 +16,15 @@ const plb_options *plb_api_options_for(const plb_drawing *d, const plb_options *
     return plb_api_check(given, err) && plb_api_check_same(given, d->options, d->name, err) ? given : NULL;
 }
 
+const plb_options *plb_api_options_checked(const plb_options *given, plb_options **own, error *err)
+{
+    *own = given ? NULL : plb_options_new();
+    const plb_options *o = given ? given : *own;
+    if (!o)
+        plb_fail_memory(err);
+    return o && plb_api_check(o, err) ? o : NULL;
+}
+
 bool plb_api_context_init(render_context *t, const plb_options *o, error *err)
 {
     memset(t, 0, sizeof *t);

@@ -50,6 +50,7 @@ bool plb_page_plan(const plb_drawing *d, const plb_options *o, page_plan *plan, 
     error why = {ERROR_NONE, ""};
     if (!plb_page_size(d->list.width * px, d->list.height * px, &plan->width, &plan->height, &why))
         return plb_fail(err, why.kind, "%s: %s", d->name, why.text);
+    plan->top = 0;
     plan->rows = plan->height;
     plan->planes = o->colour ? PIGMENT_PLANES : 1;
     plan->members = members_for(d, o, (double)plan->width * plan->height);
@@ -79,17 +80,16 @@ static bool draw_stroke(render_job *c, int member, const stroke *s)
     return plb_stroke_draw(&c->d->strokes, s, &c->how, &c->scratch[member], lay, l, &c->err[member]);
 }
 
-static void report(const plb_options *o, double done)
+static bool report(const plb_options *o, double done, error *err)
 {
-    if (o->progress)
-        o->progress(o->progress_closure, done);
+    return plb_api_report(o, PROGRESS_PLANNED + (1 - PROGRESS_PLANNED) * done, err);
 }
 
 static bool draw_batch(void *closure, int member, size_t batch)
 {
     render_job *c = closure;
-    if (member == 0)
-        report(c->o, ((double)c->band + (double)(batch * BATCH) / (double)c->n) / (double)c->bands);
+    if (member == 0 && !report(c->o, ((double)c->band + (double)(batch * BATCH) / (double)c->n) / (double)c->bands, &c->err[member]))
+        return false;
     for (size_t i = batch * BATCH; i < (batch + 1) * BATCH && i < c->n; i++)
         if (!draw_stroke(c, member, &c->d->strokes.strokes.v[c->index[i]]))
             return false;
@@ -118,8 +118,7 @@ static bool draw_bands(render_job *c, const band_strokes *bands, int members, ba
             return false;
         c->band++;
     } while (plb_page_next_band(c->page));
-    report(c->o, 1);
-    return true;
+    return report(c->o, 1, err);
 }
 
 bool plb_render(const plb_drawing *d, const plb_options *o, const render_context *t, const page_plan *plan, band_sink sink, void *closure,
@@ -129,7 +128,9 @@ bool plb_render(const plb_drawing *d, const plb_options *o, const render_context
     band_strokes bands = {0};
     render_job *c = plb_new(1, sizeof *c);
     bool ok = plb_page_init(&p, plan->width, plan->height, plan->rows, o->colour, &t->ink, err) &&
-              plb_bands_init(&bands, &d->strokes, &t->stroke, plan->height, plan->rows, plan->members, err);
+              plb_bands_init(&bands, &d->strokes, &t->stroke, plan->top, plan->height, plan->rows, plan->members, err);
+    if (ok)
+        plb_page_start_at(&p, plan->top);
     if (ok && c) {
         *c = (render_job){.d = d, .o = o, .how = t->stroke, .page = &p, .bands = bands.n};
         ok = draw_bands(c, &bands, plan->members, sink, closure, err);

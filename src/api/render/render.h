@@ -13,7 +13,8 @@ typedef bool (*band_sink)(void *closure, const page *band, error *err);
 
 /* How a page is cut: into bands of at most `rows`. */
 typedef struct {
-    int width, height; /* of the page, pixels */
+    int width, height; /* of the page, pixels; rows from `height` on are not wanted, … */
+    int top;           /* … nor those before this one */
     int rows;          /* of a band */
     int planes;        /* of deposits: see page.h */
     int members;       /* threads */
