@@ -80,7 +80,7 @@ static const struct {
     option o;
 } own[] = {
     {NULL, "Input", {0, "page", "N|N-M|all", "which pages of a PDF or PostScript file, also a list [1]", set_page}},
-    {"dpi", "Output", {'o', "output", "FILE", ".png .pdf .svg .jpg .webp .tif, or '-'; %s: drawing, %d: page [FILE.png]", set_output}},
+    {"dpi", "Output", {'o', "output", "FILE", ".png .pdf .svg .jpg .webp .tif; %s: drawing, %d: page [FILE.png]", set_output}},
     {NULL, "Pencil", {'p', "pencil", "GRADE|FILE", "2H H F HB B 3B 6B 8B or a .pencil file [HB]", set_pencil}},
     {"pencil", "Pencil", {0, "list-pencils", NULL, "show the pencils that are built in", set_list_pencils}},
     {NULL, "Diagnosis", {0, "dump", "list|strokes|controls", "show what a stage made instead of drawing", set_dump}},
