@@ -66,6 +66,8 @@ pencils  = $(wildcard profiles/*.pencil)
 c_tests  = $(wildcard tests/unit/*.c tests/stat/*.c tests/stage/*.c)
 c_tools  = $(wildcard tests/tools/*.c)
 examples_c = $(wildcard examples/*.c)
+examples_cpp = $(wildcard examples/*.cpp)
+CXX     = g++
 
 # SOVERSION grows when programs must be compiled anew. Sanitizers leave names to be found in the program.
 SOVERSION = 0
@@ -276,11 +278,16 @@ profiles: $(O)/plumbago-profile
 
 # ---- examples -----------------------------------------------------------------------------------------------
 .PHONY: examples
-examples: $(examples_c:examples/%.c=$(O)/examples/%)
+examples: $(examples_c:examples/%.c=$(O)/examples/%) $(if $(shell command -v $(CXX)),$(examples_cpp:examples/%.cpp=$(O)/examples/%))
 $(O)/examples/%: examples/%.c $(O)/libplumbago.a
 	$(say) LINK $@
 	@mkdir -p $(@D)
 	$(Q)$(CC) -std=c17 $(WARN) $(flags_$(BUILD)) -Isrc/api $(shell pkg-config --cflags cairo) $< $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
+
+$(O)/examples/%: examples/%.cpp $(O)/libplumbago.a
+	$(say) LINK $@
+	@mkdir -p $(@D)
+	$(Q)$(CXX) -std=c++17 -Wall -Wextra $(flags_$(BUILD)) -Isrc/api $(shell pkg-config --cflags cairo) $< $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
 
 # ---- install ------------------------------------------------------------------------------------------------
 manuals = $(wildcard man/*.[1-9])
