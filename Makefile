@@ -127,8 +127,10 @@ $(O)/$(shared): $(lib_obj) $(O)/pencils.o $(O)/exports.map
 	    $(filter-out -pie,$(LDFLAGS_ALL)) $(filter %.o,$^) $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
 	$(Q)ln -sf $(shared) $(O)/libplumbago.so.$(SOVERSION) && ln -sf libplumbago.so.$(SOVERSION) $(O)/libplumbago.so
 
-$(O)/plumbago: $(O)/tool/plumbago.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/tool/surroundings.o $(O)/tool/pages.o $(O)/tool/naming.o $(O)/libplumbago.a
-$(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(O)/tool/options.o $(O)/tool/streams.o $(O)/tool/surroundings.o $(O)/libplumbago.a
+# What the programs share, in folders.
+tool_parts = $(patsubst src/%.c,$(O)/%.o,$(call below,src/tool/options,*.c) $(call below,src/tool/command,*.c))
+$(O)/plumbago: $(O)/tool/plumbago.o $(tool_parts) $(O)/libplumbago.a
+$(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(tool_parts) $(O)/libplumbago.a
 $(O)/plumbago $(O)/plumbago-profile:
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_ALL) $^ $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
@@ -174,7 +176,6 @@ $(O)/tests/%: tests/%.c $(O)/libplumbago.a
 	@mkdir -p $(@D)
 	$(Q)$(CC) $(CFLAGS_ALL) -UNDEBUG -Itests $(shell pkg-config --cflags $(packages_lib)) $(filter %.c %.o,$^) $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) $(LIBS_$(notdir $@)) -lm -pthread -o $@
 
-tool_parts = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tool/plumbago.c src/tool/plumbago_profile.c,$(wildcard src/tool/*.c)))
 # A harness and what calls it: once for each file that is kept, or libFuzzer.
 link_harness = $(Q)mkdir -p $(@D) && $(CC) $(CFLAGS_ALL) -UNDEBUG -Itests/fuzz $(shell pkg-config --cflags $(packages_lib)) $(filter %.c %.o,$^) $(filter %.a,$^) $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) $(LIBS_$(notdir $@)) -lm -pthread -o $@
 LIBS_fuzz_plain_svg = $(shell pkg-config --libs $(packages_plain))
@@ -292,6 +293,10 @@ $(O)/examples/%: examples/%.cpp $(O)/libplumbago.a
 # ---- install ------------------------------------------------------------------------------------------------
 manuals = $(wildcard man/*.[1-9])
 
+# Where Debian's shells look for completions; zsh looks elsewhere for those of packages.
+completion_files = bash-completion/completions/plumbago zsh/$(if $(filter /usr,$(PREFIX)),vendor-completions,site-functions)/_plumbago fish/vendor_completions.d/plumbago.fish
+completions = for f in $(completion_files); do install -d "$(dest)/share/$${f%/*}" && $(O)/plumbago --completions $${f%%[-/]*} > "$(dest)/share/$$f" || exit 1; done
+
 .PHONY: install uninstall
 dest = $(DESTDIR)$(PREFIX)
 install: all
@@ -308,12 +313,14 @@ install: all
 	    'Requires: cairo' 'Requires.private: $(filter-out cairo,$(packages_lib))' 'Libs: -L$${libdir} -lplumbago' 'Libs.private: -lm -pthread' \
 	    'Cflags: -I$${prefix}/include' > "$(DESTDIR)$(LIBDIR)/pkgconfig/plumbago.pc"
 	if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ]; then ldconfig "$(LIBDIR)"; fi
+	$(completions)
 	for m in $(notdir $(manuals)); do d="$(dest)/share/man/man$${m##*.}"; install -d "$$d" && \
 	    sed 's#/usr/local#$(PREFIX)#g' man/$$m > "$$d/$$m" && chmod 644 "$$d/$$m" || exit 1; done
 uninstall:
 	rm -f "$(dest)/bin/plumbago" "$(dest)/bin/plumbago-profile" "$(dest)/include/plumbago.h"
 	rm -f "$(DESTDIR)$(LIBDIR)"/libplumbago.a "$(DESTDIR)$(LIBDIR)"/libplumbago.so* "$(DESTDIR)$(LIBDIR)/pkgconfig/plumbago.pc"
 	rm -rf "$(dest)/libexec/plumbago" "$(dest)/share/plumbago"
+	for f in $(completion_files); do rm -f "$(dest)/share/$$f"; done
 	for m in $(notdir $(manuals)); do rm -f "$(dest)/share/man/man$${m##*.}/$$m"; done
 
 # Debian packages: the sources and examples/packaging/debian, in a folder of their own.
@@ -353,4 +360,4 @@ help:
 	@echo 'make clean      removes build/'
 	@echo 'BUILD=release|debug|asan|ubsan|tsan|cover|failing|fuzz   CC=gcc|clang   V=1: show the commands'
 
--include $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(ps_obj:.o=.d) $(O)/tap/ps/tap_ps.d $(wildcard $(O)/tool/*.d $(O)/*.d $(O)/tests/*/*.d)
+-include $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(ps_obj:.o=.d) $(O)/tap/ps/tap_ps.d $(wildcard $(O)/tool/*.d $(O)/tool/*/*.d $(O)/*.d $(O)/tests/*/*.d)

@@ -5,31 +5,26 @@
 #include "api/pipeline.h"
 
 #include "api/pencil/tone.h"
+#include "api/settings/page_fit.h"
 #include "base/array.h"
 #include "base/number/random.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Brings the drawing to the size that the options ask for. With both sides given it is fitted into them and centred. */
+/* Brings the drawing to the place on its page that the options ask for. */
 static bool fit(display_list *list, const plb_options *o, error *err)
 {
-    double sx = o->width / list->width, sy = o->height / list->height, f = o->scale > 0 ? o->scale / list->paper_scale : 1;
-    if (o->width > 0 && o->height > 0)
-        f = fmin(sx, sy);
-    else if (o->width > 0 || o->height > 0)
-        f = o->width > 0 ? sx : sy;
-    double w = o->width > 0 ? o->width : list->width * f, h = o->height > 0 ? o->height : list->height * f;
-    if (!(w > 0 && h > 0 && w <= 1e5 && h <= 1e5))
-        return plb_fail(err, ERROR_LIMIT, "a page of %g by %g mm cannot be drawn", w, h);
-    matrix m = plb_matrix_scale(f, f);
-    m.x0 = (w - list->width * f) / 2;
-    m.y0 = (h - list->height * f) / 2;
-    if (f != 1 || m.x0 != 0 || m.y0 != 0)
+    page_fit fitted;
+    if (!plb_page_fit(o, list->width, list->height, list->paper_scale, &fitted, err))
+        return false;
+    matrix m = plb_matrix_scale(fitted.factor, fitted.factor);
+    m.x0 = fitted.x0;
+    m.y0 = fitted.y0;
+    if (fitted.factor != 1 || m.x0 != 0 || m.y0 != 0)
         plb_list_transform(list, m);
-    list->width = w;
-    list->height = h;
-    list->paper_scale *= f;
+    list->width = fitted.width;
+    list->height = fitted.height;
     return true;
 }
 

@@ -32,8 +32,9 @@ typedef struct {
     stroke_options stroke;
 } render_context;
 
-/* The options of a call that draws: `given`, or those of loading where NULL. NULL and `err` when they contradict these. */
-const plb_options *plb_api_options_for(const plb_drawing *d, const plb_options *given, error *err);
+/* The options of a call that draws, in `out`, which borrows from them: `given`, or those of loading where NULL, with the resolution that
+ * they ask for. NULL and `err` when they contradict those of loading. */
+const plb_options *plb_api_options_for(const plb_drawing *d, const plb_options *given, plb_options *out, error *err);
 
 bool plb_api_context_init(render_context *t, const plb_options *o, error *err);
 

@@ -126,6 +126,8 @@ PLB_API void plb_options_free(plb_options *options);
 PLB_API bool plb_options_set(plb_options *options, const char *name, const char *value, plb_error *error);
 /* The same for settings whose value is a number, in the setting's unit: mm for lengths. */
 PLB_API bool plb_options_set_number(plb_options *options, const char *name, double value, plb_error *error);
+/* Whether the settings go together, as scale and width do not; the calls that get the options check that, too. */
+PLB_API bool plb_options_check(const plb_options *options, plb_error *error);
 /* Writes the value into `text`, of `size` bytes, as plb_options_set reads it. False when there is no such setting or too little
  * room. */
 PLB_API bool plb_options_get(const plb_options *options, const char *name, char *text, size_t size);
@@ -146,7 +148,9 @@ typedef enum {
     PLB_SETTING_CHOICE,
     PLB_SETTING_FLAG,   /* "on" or "off" */
     PLB_SETTING_TEXT,
-    PLB_SETTING_PENCIL  /* a grade or a file */
+    PLB_SETTING_PENCIL, /* a grade or a file */
+    PLB_SETTING_PAGE,   /* a choice, perhaps with -portrait or -landscape */
+    PLB_SETTING_PIXELS  /* "1200" or "800x600" */
 } plb_setting_kind;
 
 /* In which calls a setting counts. A drawing's strokes are planned when it is loaded: what counts then must be the same when
@@ -159,7 +163,7 @@ typedef struct {
     char letter;          /* of a short option, or 0 */
     const char *group;    /* the heading under which it is listed */
     plb_setting_kind kind;
-    const char *argument; /* what a usage line calls the value; of a choice, its words: "white|none"; of a flag, NULL */
+    const char *argument; /* what a usage line calls the value; NULL: a choice, which has words, or a flag, which has none */
     double min, max;      /* of numbers, in `unit` */
     const char *unit;
     const char *usual;    /* the default, as plb_options_set takes it; "auto": it goes by the drawing, or the like */
@@ -168,6 +172,8 @@ typedef struct {
 } plb_setting;
 /* The settings in the order of their groups; NULL past the last. */
 PLB_API const plb_setting *plb_setting_at(size_t index);
+/* The words that a choice takes, and a page's names; NULL past the last. */
+PLB_API const char *plb_setting_word(const plb_setting *setting, size_t index);
 
 /* ---- drawing --------------------------------------------------------------------------------------------- */
 

@@ -3,206 +3,36 @@
  * plumbago: draws a vector drawing with a pencil. plumbago(1) is the manual.
  */
 #include "api/plumbago.h"
-#include "tool/naming.h"
-#include "tool/options.h"
-#include "tool/pages.h"
-#include "tool/streams.h"
-#include "tool/surroundings.h"
+#include "tool/command/command_line.h"
+#include "tool/command/naming.h"
+#include "tool/command/pages.h"
+#include "tool/command/talk.h"
+#include "tool/options/completions.h"
+#include "tool/options/streams.h"
+#include "tool/options/surroundings.h"
 
 #include <stdlib.h>
 #include <string.h>
 #include <strings.h>
 #include <sys/stat.h>
-#include <time.h>
 #include <unistd.h>
 
-#define PROGRAM "plumbago"
+/* ---- what prints and ends ---- */
 
-#define MAX_OPTIONS 64 /* with headings */
-
-enum { EXIT_DRAWN = 0, EXIT_NOT_DRAWN = 1, EXIT_WRONG_COMMAND = 2 };
-
-typedef struct {
-    plb_options *o;
-    const char *output, *pencil;
-    plb_document *document; /* all pages in one file; NULL: a file each */
-    const char *pages; /* as --page says: "2", "2-4", "1,5-" or "all"; NULL: the first */
-    int dump; /* a plb_dump, or -1 */
-    bool random_seed, quiet, list_pencils, version, help;
-    int verbose;
-    bool progress_shown;
-    int percent; /* of progress, as shown last */
-    time_t started;
-} settings;
-
-/* ---- what is no setting of the library, or more than one ---- */
-
-static bool set_output(void *p, const char *v) { return ((settings *)p)->output = v, *v != '\0'; }
-static bool set_pencil(void *p, const char *v) { return ((settings *)p)->pencil = v, *v != '\0'; }
-static bool set_page(void *p, const char *v)
-{
-    const char *list = v;
-    page_range range;
-    ((settings *)p)->pages = v;
-    while (pages_next(&list, &range)) {}
-    return *v && !*list;
-}
-static bool set_dump(void *p, const char *v)
-{
-    static const char *const names[] = {"list", "strokes", "controls"};
-    for (int i = 0; i < 3; i++)
-        if (!strcmp(v, names[i]))
-            return ((settings *)p)->dump = i, true;
-    return false;
-}
-static bool set_list_pencils(void *p, const char *v) { return (void)v, ((settings *)p)->list_pencils = true; }
-static bool set_quiet(void *p, const char *v)
-{
-    settings *s = p; /* of -q and -v the last one holds */
-    (void)v;
-    s->verbose = 0;
-    return s->quiet = true;
-}
-static bool set_verbose(void *p, const char *v)
-{
-    settings *s = p;
-    (void)v;
-    s->quiet = false;
-    return s->verbose++, true;
-}
-static bool set_version(void *p, const char *v) { return (void)v, ((settings *)p)->version = true; }
-static bool set_help(void *p, const char *v) { return (void)v, ((settings *)p)->help = true; }
-
-/* The program's own options: each is listed after the setting or option that it names, and one with the name of a setting stands
- * in its place. */
-static const struct {
-    const char *after, *group;
-    option o;
-} own[] = {
-    {NULL, "Input", {0, "page", "N|N-M|all", "which pages of a PDF or PostScript file, also a list [1]", set_page}},
-    {"dpi", "Output", {'o', "output", "FILE", ".png .pdf .svg .jpg .webp .tif; %s: drawing, %d: page [FILE.png]", set_output}},
-    {NULL, "Pencil", {'p', "pencil", "GRADE|FILE", "2H H F HB B 3B 6B 8B or a .pencil file [HB]", set_pencil}},
-    {"pencil", "Pencil", {0, "list-pencils", NULL, "show the pencils that are built in", set_list_pencils}},
-    {NULL, "Diagnosis", {0, "dump", "list|strokes|controls", "show what a stage made instead of drawing", set_dump}},
-    {NULL, "Diagnosis", {'q', "quiet", NULL, "no warnings, no progress", set_quiet}},
-    {NULL, "Diagnosis", {'v', "verbose", NULL, "say what is done", set_verbose}},
-    {NULL, "Diagnosis", {0, "version", NULL, "show the version", set_version}},
-    {NULL, "Diagnosis", {0, "help", NULL, "show this help", set_help}},
-};
-#define OWN_ROWS (sizeof own / sizeof *own)
-
-/* A setting of the library. Its errors begin with its name. */
-static bool store_setting(void *p, const option *o, const char *v, char why[OPTION_WHY_SIZE])
-{
-    settings *s = p;
-    plb_error e = {PLB_OK, ""};
-    if (!strcmp(o->name, "seed") && !strcmp(v, "random"))
-        return s->random_seed = true;
-    s->random_seed = s->random_seed && strcmp(o->name, "seed") != 0;
-    if (plb_options_set(s->o, o->name, v ? v : "on", &e))
-        return true;
-    snprintf(why, OPTION_WHY_SIZE, "%s", e.text);
-    return false;
-}
-
-/* Headings, settings and own options in the order of --help. */
-static size_t make_table(option *to)
-{
-    option *next = to;
-    const plb_setting *s;
-    const char *group = "";
-    for (size_t i = 0; (s = plb_setting_at(i)); i++) {
-        if (strcmp(group, s->group) != 0)
-            *next++ = (option){.help = group = s->group};
-        const option *instead = NULL;
-        for (size_t k = 0; k < OWN_ROWS; k++)
-            if (!strcmp(own[k].o.name, s->name))
-                instead = &own[k].o;
-        *next++ = instead ? *instead : (option){s->letter, s->name, s->argument, s->help, NULL};
-        for (size_t k = 0; k < OWN_ROWS; k++)
-            if (own[k].after && !strcmp(own[k].after, s->name))
-                *next++ = own[k].o;
-    }
-    *next++ = (option){.help = "Diagnosis"};
-    for (size_t k = 0; k < OWN_ROWS; k++)
-        if (!strcmp(own[k].group, "Diagnosis"))
-            *next++ = own[k].o;
-    return (size_t)(next - to);
-}
-
-static void print_help(const option *table, size_t n)
+static void print_help(const command_table *t)
 {
     printf("usage: " PROGRAM " [options] [FILE...]\n"
            "\n"
-           "Draws FILE, a vector drawing (SVG, PDF, PostScript, EPS or DXF), as a person with a pencil would.\n"
+           "Draws FILE, a vector drawing (SVG, PDF, PostScript, EPS or DXF), as a person\n"
+           "with a pencil would.\n"
            "\n"
            "  " PROGRAM " plan.svg                          plan.png appears beside it\n"
-           "  " PROGRAM " -p 6B plan.ps -o - | display      in a pipe, with a soft pencil\n");
-    options_print(table, n);
+           "  " PROGRAM " -p 6B plan.ps -o - | display      in a pipe, with a soft pencil\n"
+           "\n"
+           "LEN is a number or fraction with mm cm in pt px: 84mm, 5/300in.\n");
+    options_print(t->rows, t->n);
     printf("\nExit status: 0 drawn, 1 the drawing could not be made, 2 wrong command line.\n");
 }
-
-/* ---- talking ---- */
-
-static void clear_progress(settings *s)
-{
-    if (s->progress_shown)
-        fputs("\r\033[K", stderr);
-    s->progress_shown = false;
-}
-
-static void print_line(const char *kind, const char *text) { streams_say(PROGRAM, kind, text); }
-
-static void on_message(void *closure, int level, const char *text)
-{
-    settings *s = closure;
-    if (level == 0 ? s->quiet : s->verbose == 0)
-        return;
-    clear_progress(s);
-    print_line(level == 0 ? "warning: " : "", text);
-}
-
-/* On a terminal, from the second second on, at most once for each percent. */
-static bool on_progress(void *closure, double done)
-{
-    settings *s = closure;
-    double passed = difftime(time(NULL), s->started);
-    if (done >= 1 || passed < 2) {
-        clear_progress(s);
-        return true;
-    }
-    if (s->progress_shown && (int)(done * 100) == s->percent)
-        return true;
-    s->percent = (int)(done * 100);
-    fprintf(stderr, "\r" PROGRAM ": %3d %%", s->percent);
-    if (done > 0.01)
-        fprintf(stderr, ", %.0f s left\033[K", passed * (1 - done) / done);
-    s->progress_shown = true;
-    return true;
-}
-
-static int fail(settings *s, const plb_error *e)
-{
-    clear_progress(s);
-    print_line("", e->text);
-    return EXIT_NOT_DRAWN;
-}
-
-static int wrong(const char *what)
-{
-    char line[640];
-    snprintf(line, sizeof line, "%s; try '" PROGRAM " --help'", what);
-    print_line("", line);
-    return EXIT_WRONG_COMMAND;
-}
-
-static int no_memory(void)
-{
-    print_line("", "out of memory");
-    return EXIT_NOT_DRAWN;
-}
-
-/* ---- work ---- */
 
 static int list_pencils(void)
 {
@@ -215,6 +45,8 @@ static int list_pencils(void)
     }
     return EXIT_DRAWN;
 }
+
+/* ---- work ---- */
 
 static uint64_t random_seed(void)
 {
@@ -285,7 +117,32 @@ static void tell_drawn(const settings *s, const plb_drawing *d, const char *to)
     plb_options_get(s->o, "seed", seed, sizeof seed);
     snprintf(text, sizeof text, "%zu strokes on %.1f x %.1f mm with %s, seed %s: %s", plb_drawing_strokes(d), plb_drawing_width(d),
              plb_drawing_height(d), pencil, seed, to);
-    print_line("", text);
+    talk_line(s->talk, "", text);
+}
+
+static void leave_alone(const settings *s, const char *to)
+{
+    char text[1024];
+    snprintf(text, sizeof text, "%.900s is there already and stays", to);
+    talk_message(s->talk, 0, text);
+}
+
+/* A page that is smaller both ways is hard to draw on. */
+#define SMALL_PAGE_MM 20
+
+/* Icons and figures for screens come out as small as they are: who did not ask for a size hears how. */
+static void hint_at_size(const settings *s, const plb_drawing *d, const char *input)
+{
+    static const char *const sizes[] = {"width", "height", "scale", "page-size"};
+    double w = plb_drawing_width(d), h = plb_drawing_height(d);
+    char value[32], text[1024];
+    bool is_asked = w >= SMALL_PAGE_MM || h >= SMALL_PAGE_MM;
+    for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++)
+        is_asked = is_asked || (plb_options_get(s->o, sizes[i], value, sizeof value) && strcmp(value, "auto") != 0);
+    if (is_asked)
+        return;
+    snprintf(text, sizeof text, "%.900s: the page is %.3g by %.3g mm, small for a pencil; --width 100mm draws it larger", input, w, h);
+    talk_message(s->talk, 0, text);
 }
 
 static int draw(settings *s, const job *j, unsigned page)
@@ -293,20 +150,27 @@ static int draw(settings *s, const job *j, unsigned page)
     plb_error e = {PLB_OK, ""};
     char *to = result_name(s, j, page);
     if (!to)
-        return no_memory();
+        return talk_no_memory();
     if (is_same_file(to, j->input)) {
         free(to);
-        return wrong("the result would replace the drawing: name another file with -o");
+        return talk_wrong(s->talk, "the result would replace the drawing: name another file with -o");
+    }
+    if (s->no_clobber && strcmp(to, "-") && access(to, F_OK) == 0) {
+        leave_alone(s, to);
+        free(to);
+        return EXIT_DRAWN;
     }
     if (page)
         plb_options_set_number(s->o, "page", page, NULL);
     plb_drawing *d = plb_file_draw(j->file, s->o, &e);
+    if (d)
+        hint_at_size(s, d, j->input);
     bool ok = d && write_result(s, d, to, &e);
     if (ok && s->verbose)
         tell_drawn(s, d, to);
     plb_drawing_free(d);
     free(to);
-    return ok ? EXIT_DRAWN : fail(s, &e);
+    return ok ? EXIT_DRAWN : talk_fail(s->talk, &e);
 }
 
 static int draw_range(settings *s, const job *j, page_range range, unsigned count)
@@ -328,9 +192,9 @@ static int draw_pages(settings *s, const job *j)
         return draw(s, j, 0);
     unsigned count = j->several ? plb_file_pages(j->file, s->o, &e) : 1;
     if (!count)
-        return fail(s, &e);
+        return talk_fail(s->talk, &e);
     if (j->several && count > 1 && !pages_has_number(j->to) && !is_text(s) && !s->document)
-        return wrong("several pages need a %d in the name of the output: -o page-%d.png");
+        return talk_wrong(s->talk, "several pages need a %d in the name of the output: -o page-%d.png");
     int status = EXIT_DRAWN;
     page_range range;
     while (status == EXIT_DRAWN && pages_next(&list, &range))
@@ -342,7 +206,7 @@ static int work(settings *s, job *j)
 {
     plb_error e = {PLB_OK, ""};
     j->file = plb_file_load(j->input, &e);
-    int status = j->file ? draw_pages(s, j) : fail(s, &e);
+    int status = j->file ? draw_pages(s, j) : talk_fail(s->talk, &e);
     plb_file_free(j->file);
     return status;
 }
@@ -354,13 +218,13 @@ static int run(settings *s, const char *input)
     bool is_named = s->output || is_text(s) || !strcmp(input, "-");
     char *made = is_named ? NULL : pages_name_output(input, j.several);
     if (!is_named && !made)
-        return no_memory();
+        return talk_no_memory();
     j.to = s->output ? s->output : made ? made : "-";
     if (!strcmp(j.to, "-") && !is_text(s) && isatty(STDOUT_FILENO)) {
         free(made);
-        return wrong("a picture does not belong on a terminal: name a file with -o");
+        return talk_wrong(s->talk, "a picture does not belong on a terminal: name a file with -o");
     }
-    s->started = time(NULL);
+    s->talk->started = time(NULL);
     int status = work(s, &j);
     free(made);
     return status;
@@ -422,6 +286,7 @@ static int run_each(settings *s, char *const inputs[], int n)
 {
     int worst = EXIT_DRAWN;
     for (int i = 0; i < n; i++) {
+        s->talk->drawing = n > 1 ? inputs[i] : NULL;
         int status = run(s, inputs[i]);
         worst = status > worst ? status : worst;
     }
@@ -433,13 +298,13 @@ static int run_document(settings *s, char *const inputs[], int n)
 {
     plb_error e = {PLB_OK, ""};
     s->document = plb_document_new(s->output, &e);
-    int status = s->document ? EXIT_DRAWN : fail(s, &e);
+    int status = s->document ? EXIT_DRAWN : talk_fail(s->talk, &e);
     for (int i = 0; status == EXIT_DRAWN && i < n; i++)
         status = run(s, inputs[i]);
     if (status != EXIT_DRAWN)
         plb_document_free(s->document);
     else if (!plb_document_close(s->document, &e))
-        status = fail(s, &e);
+        status = talk_fail(s->talk, &e);
     s->document = NULL;
     return status;
 }
@@ -451,37 +316,51 @@ static int run_all(settings *s, char *const inputs[], int n)
     char text[512];
     const char *refused = refuse_names(s, inputs, n, text, sizeof text);
     if (refused)
-        return wrong(refused);
+        return talk_wrong(s->talk, refused);
     if (s->random_seed) {
         uint64_t seed = random_seed();
         plb_options_set_seed(s->o, seed);
         fprintf(stderr, PROGRAM ": seed %llu\n", (unsigned long long)seed);
     }
-    plb_options_set_message(s->o, on_message, s);
-    plb_options_set_progress(s->o, !s->quiet && isatty(STDERR_FILENO) ? on_progress : NULL, s);
+    talk_note(s->talk);
+    plb_options_set_message(s->o, talk_message, s->talk);
+    plb_options_set_progress(s->o, !s->quiet && talk_can_show_progress() ? talk_progress : NULL, s->talk);
     if (s->pencil && !plb_options_set(s->o, "pencil", s->pencil, &e))
-        return fail(s, &e);
+        return talk_fail(s->talk, &e);
     return wants_document(s, n) ? run_document(s, inputs, n) : run_each(s, inputs, n);
 }
 
-/* What the command line asks for. */
-static int obey(settings *s, const option *table, size_t n, char *const inputs[], int operands)
+/* With a folder for -o the pictures get names of their own in it. */
+static int run_into(settings *s, char *const inputs[], int n)
 {
-    char width[32], height[32], scale[32];
+    const char *suffix = is_text(s) ? ".txt" : ".png";
+    char *made = s->output ? naming_in_folder(s->output, suffix, s->pages && !pages_is_one(s->pages)) : NULL;
+    if (made)
+        s->output = made;
+    int status = run_all(s, inputs, n);
+    free(made);
+    return status;
+}
+
+/* What the command line asks for. */
+static int obey(settings *s, const command_table *table, char *const inputs[], int operands)
+{
+    plb_error e = {PLB_OK, ""};
     int status = EXIT_DRAWN;
-    plb_options_get(s->o, "width", width, sizeof width);
-    plb_options_get(s->o, "height", height, sizeof height);
-    plb_options_get(s->o, "scale", scale, sizeof scale);
     if (s->help)
-        print_help(table, n);
+        print_help(table);
     else if (s->version)
         printf(PROGRAM " %s\n", plb_version());
+    else if (s->completions)
+        completions_print(s->completions, PROGRAM, table->rows, table->n);
     else if (s->list_pencils)
         status = list_pencils();
-    else if (strcmp(scale, "auto") && (strcmp(width, "auto") || strcmp(height, "auto")))
-        return wrong("--scale goes neither with --width nor with --height");
+    else if (!plb_options_check(s->o, &e))
+        return talk_wrong(s->talk, e.text);
+    else if (operands == 0 && isatty(STDIN_FILENO))
+        return talk_wrong(s->talk, "which drawing? usage: " PROGRAM " [options] FILE...");
     else
-        return run_all(s, operands ? inputs : (char *[]){"-"}, operands ? operands : 1);
+        return run_into(s, operands ? inputs : (char *[]){"-"}, operands ? operands : 1);
     return streams_flush(PROGRAM) ? status : EXIT_NOT_DRAWN;
 }
 
@@ -490,12 +369,14 @@ int main(int argc, char **argv)
     if (!surroundings_prepare(PROGRAM))
         return EXIT_NOT_DRAWN;
     settings s = {.o = plb_options_new(), .dump = -1};
+    talk t = {.command = &s};
+    s.talk = &t;
     if (!s.o)
-        return no_memory();
-    option table[MAX_OPTIONS];
+        return talk_no_memory();
+    command_table table;
+    command_table_init(&table);
     int operands;
-    const option_parser parser = {PROGRAM, table, make_table(table), store_setting};
-    int status = options_parse(&parser, argc, argv, &s, &operands) ? obey(&s, table, parser.n, argv, operands) : EXIT_WRONG_COMMAND;
+    int status = command_line_parse(&s, &table, argc, argv, &operands) ? obey(&s, &table, argv, operands) : EXIT_WRONG_COMMAND;
     plb_options_free(s.o);
     return status;
 }

@@ -3,9 +3,9 @@
  * plumbago-profile: captures, shows and compares pencils. plumbago-profile(1) is the manual.
  */
 #include "api/plumbago.h"
-#include "tool/options.h"
-#include "tool/streams.h"
-#include "tool/surroundings.h"
+#include "tool/options/options.h"
+#include "tool/options/streams.h"
+#include "tool/options/surroundings.h"
 
 #include <errno.h>
 #include <stdlib.h>
@@ -134,22 +134,22 @@ static bool set_help(void *p, const char *v)
 }
 
 static const option table[] = {
-    {0, NULL, NULL, "For capture", NULL},
-    {'o', "output", "FILE", "write the profile to FILE", set_output},
-    {0, "name", "NAME", "name of the pencil, up to 31 bytes [pencil]", set_name},
-    {0, "dpi", "DPI", "resolution of the scans [as the PNG says, else 300]", set_dpi},
-    {0, "centre", "MIN-MAX", "only lines whose median grey at the centre is within [0-255]", set_centre},
-    {0, "width", "MM", "stretch the line to this width at half depth [as measured]", set_width},
-    {0, "grain", "PENCIL", "borrow some grain of PENCIL, where the lines show none", set_grain},
-    {0, "as-measured", NULL, "keep the grain without the correction by lines drawn with it", set_as_measured},
-    {0, "free-hand", NULL, "lines stray as a free hand does, not as those of the scans", set_free_hand},
-    {0, "provenance", "TEXT|@FILE", "text to keep in the profile: scans, hand, licence", set_provenance},
-    {0, NULL, NULL, "For show", NULL},
-    {0, "plot", "FILE", "draw histograms, section and co-occurrence as a PNG too", set_plot},
-    {0, NULL, NULL, "Diagnosis", NULL},
-    {'v', "verbose", NULL, "say what was found in each scan", set_verbose},
-    {0, "version", NULL, "show the version", set_version},
-    {0, "help", NULL, "show this help", set_help},
+    {.help = "For capture"},
+    {.letter = 'o', .name = "output", .argument = "FILE", .help = "write the profile to FILE", .set = set_output},
+    {.name = "name", .argument = "NAME", .help = "name of the pencil, up to 31 bytes [pencil]", .set = set_name},
+    {.name = "dpi", .argument = "DPI", .help = "resolution of the scans [as the PNG says, else 300]", .set = set_dpi},
+    {.name = "centre", .argument = "MIN-MAX", .help = "only lines whose median grey at the centre is within [0-255]", .set = set_centre},
+    {.name = "width", .argument = "MM", .help = "stretch the line to this width at half depth [as measured]", .set = set_width},
+    {.name = "grain", .argument = "PENCIL", .help = "borrow some grain of PENCIL, where the lines show none", .set = set_grain},
+    {.name = "as-measured", .help = "keep the grain without the correction by lines drawn with it", .set = set_as_measured},
+    {.name = "free-hand", .help = "lines stray as a free hand does, not as those of the scans", .set = set_free_hand},
+    {.name = "provenance", .argument = "TEXT|@FILE", .help = "text to keep in the profile: scans, hand, licence", .set = set_provenance},
+    {.help = "For show"},
+    {.name = "plot", .argument = "FILE", .help = "draw histograms, section and co-occurrence as a PNG too", .set = set_plot},
+    {.help = "Diagnosis"},
+    {.letter = 'v', .name = "verbose", .help = "say what was found in each scan", .set = set_verbose},
+    {.letter = 'V', .name = "version", .help = "show the version", .set = set_version},
+    {.letter = 'h', .name = "help", .help = "show this help", .set = set_help},
 };
 #define TABLE_ROWS (sizeof table / sizeof *table)
 
@@ -159,7 +159,8 @@ static void print_help(void)
            "       " PROGRAM " show [--plot FILE.png] PENCIL\n"
            "       " PROGRAM " compare PENCIL PENCIL\n"
            "\n"
-           "Measures a pencil from scans of its lines, shows a profile, or tells how two differ.\n"
+           "Measures a pencil from scans of its lines, shows a profile, or tells how two\n"
+           "differ.\n"
            "PENCIL is 2H H F HB B 3B 6B 8B or a .pencil file.\n");
     options_print(table, TABLE_ROWS);
     printf("\nExit status: 0 done, 1 it could not be done, 2 wrong command line.\n");

@@ -168,7 +168,58 @@ far=$(tool png_compare white.png none.png | awk '{ print ($4 <= 2 && $1 == "diff
 report "none over white is white, but for rounding" "$far"
 misused "--background of another name" background --background pink a.svg
 
+# ---- a folder for the pictures, and pictures that are there ----
+mkdir folder
+draws "-o FOLDER" -o folder a.svg
+same "-o FOLDER: the picture lies in it" folder/a.png default.png
+rm folder/a.png
+draws "-o FOLDER/" -o folder/ a.svg two.dots.svg
+same "-o FOLDER/: several pictures lie in it" folder/two.dots.png default.png
+refuses "-o FOLDER/ that is not there" "nowhere/a.png" -o nowhere/ a.svg
+mkdir dumps && plumbago --dump=strokes -o dumps a.svg
+if [ -s dumps/a.txt ]; then ok "-o FOLDER: a dump has the suffix .txt"; else fail "-o FOLDER: a dump has the suffix .txt" "$(listing | tr '\n' ' ')"; fi
+echo mine >kept.png
+plumbago --no-clobber -o kept.png a.svg
+is "--no-clobber: exit status" $status 0
+is "--no-clobber: the picture stays" "$(cat kept.png)" mine
+if grep -q 'kept.png is there already' "$TMP/err"; then ok "--no-clobber says so"; else fail "--no-clobber says so" "$(cat "$TMP/err")"; fi
+draws "--no-clobber where there is none" --no-clobber -o fresh.png a.svg
+same "--no-clobber where there is none: drawn" fresh.png default.png
+
+# ---- errors that teach ----
+misused "a refused number says its range" "dpi takes .*10 to 4800 pixels per inch.*not '5'" -d 5 a.svg
+misused "a refused word says its choices" "arm takes hand, jerk, spring, lognormal or torque, or auto; not 'left'" --arm left a.svg
+misused "a refused length says how lengths are written" "width takes .* mm, written as 84mm" --width wide a.svg
+misused "a refused seed says that random is one" "seed takes a whole number.*random" --seed no a.svg
+misused "an unknown option names the nearest" "no option --widht; did you mean --width" --widht 3 a.svg
+misused "an unknown option with a value" "did you mean --paper" --papr=rough a.svg
+plumbago --frobnicate a.svg
+if grep -q 'did you mean' "$TMP/err"; then fail "nothing near is guessed" "$(cat "$TMP/err")"; else ok "nothing near is guessed"; fi
+for option in -h -V; do plumbago $option; is "$option: exit status" $status 0; done
+draws "--color is --colour" --color -o color.png a.svg
+draws "--colour" --colour -o colour.png a.svg
+same "--color is --colour: the same" color.png colour.png
+if command -v script >/dev/null; then
+    is "no FILE on a terminal: exit status" "$(script -qec "'$PLUMBAGO' 2>bare.txt" /dev/null </dev/null >/dev/null; echo $?)" 2
+    if grep -q 'which drawing? usage: plumbago' bare.txt; then ok "no FILE on a terminal asks for one"; else fail "no FILE on a terminal asks for one" "$(cat bare.txt)"; fi
+else
+    skip "no FILE on a terminal" "no script here"
+fi
+misused "--completions of another shell" "completions" --completions csh
+
 # ---- talk ----
+plumbago --width 192 -o bare.png a.svg
+is "a length without a unit is noted once: exit status" $status 0
+is "a length without a unit is noted once" "$(cat "$TMP/err")" "plumbago: note: --width 192 is 192 px, 50.8 mm; write 192mm for millimetres"
+plumbago --width 50.8mm -o unit.png a.svg
+same "a length without a unit is in px" bare.png unit.png
+draws "-q: no note" -q --width 192 -o bare.png a.svg
+draws "0 needs no unit" --squiggle 0 --overshoot 0 -o bare.png a.svg
+echo '<svg xmlns="http://www.w3.org/2000/svg" width="24" height="24"><path stroke="#000" d="M2 2L22 22"/></svg>' >icon.svg
+plumbago -o icon.png icon.svg
+is "a small page is hinted at" "$(cat "$TMP/err")" "plumbago: warning: icon.svg: the page is 6.35 by 6.35 mm, small for a pencil; --width 100mm draws it larger"
+draws "a small page that is asked for is not" --width 15mm -o icon.png icon.svg
+draws "-q: no hint" -q -o icon.png icon.svg
 plumbago -v -o v.png a.svg
 if [ $status -eq 0 ] && [ -s "$TMP/err" ] && [ ! -s "$TMP/out" ]; then ok "-v says something, on standard error"; else fail "-v says something, on standard error" "status $status, $(wc -c <"$TMP/err") and $(wc -c <"$TMP/out") bytes"; fi
 same "-v draws the same" v.png default.png

@@ -48,6 +48,26 @@ size "--scale 2" 945 709 --scale 2
 size "--scale 0.25" 118 89 --scale 0.25
 size "--scale 1e-1" 47 35 --scale 1e-1
 size "--scale with -d" 315 236 --scale 2 -d 100
+size "--scale 50%" 236 177 --scale 50%
+size "--scale 1/2" 236 177 --scale 1/2
+size "--scale 1:2" 236 177 --scale 1:2
+# Pictures for screens: exactly so many pixels.
+exact() { # NAME "WIDTH HEIGHT" OPTIONS...
+    local name=$1 expected=$2
+    shift 2
+    plumbago -o exact.png "$@" a.svg
+    is "$name" "$(info exact.png size | tr 'x' ' ')" "$expected"
+}
+exact "--pixels 1200: the height follows" "1200 900" --pixels 1200
+exact "--pixels 801" "801 601" --pixels 801
+exact "--pixels 800x600" "800 600" --pixels 800x600
+exact "--pixels 500x500: the page gets the shape" "500 500" --pixels 500x500
+exact "--pixels with --width" "640 480" --pixels 640 --width 120mm
+exact "--pixels on a page with both sides: what fits" "200 400" --pixels 600x400 --width 20mm --height 40mm
+exact "--page-size A6: it lies as the drawing does" "1748 1240" --page-size A6
+exact "--page-size A6-portrait" "1240 1748" --page-size A6-portrait
+exact "--margin grows the page" "709 591" --margin 10mm
+resolution "--pixels: the picture says its resolution" 600.07 --pixels 945
 resolution "--width leaves the resolution" 300 --width 80mm
 
 for text in "Software: plumbago" "seed" "pencil" "model"; do
@@ -74,6 +94,8 @@ place "ink lies where it should" 4 4 36 26
 place "ink lies where it should at 96 dpi" 4 4 36 26 -d 96
 place "ink lies where it should at 600 dpi" 4 4 36 26 -d 600
 place "ink lies where it should at --scale 3" 4 4 36 26 --scale 3
+place "ink lies where it should with a margin" 9.33 8.4 30.67 21.6 --margin 10mm
+place "ink lies where it should on a sheet" 6.3 5.05 33.69 24.95 --page-size A6-landscape --margin 5mm -d 150
 place "a page of other proportions: fitted and centred" 12 4 28 26 --width 80mm --height 30mm
 
 while IFS='|' read -r option value; do
@@ -111,6 +133,13 @@ done <<'END'
 --scale|1e999
 END
 misused "--width with --scale" "scale|width" --width 50mm --scale 2 a.svg
+misused "--page-size with --width" "page-size and width" --page-size A4 --width 50mm a.svg
+misused "--pixels with -d" "pixels and dpi" --pixels 100 -d 72 a.svg
+for wrong in 0 x 5x 5x0 -3 1e3 800x600x2; do misused "--pixels $wrong" pixels --pixels $wrong a.svg; done
+misused "--page-size of another name" "page-size takes A0, A1" --page-size A77 a.svg
+misused "--margin -1mm" margin --margin -1mm a.svg
+refuses "margins that leave nothing" "leave nothing" --width 20mm --margin 10mm -o x.png a.svg
+refuses "pixels that ask for too fine a page" "10 to 4800" --pixels 100000 -o x.png a.svg
 misused "--height with --scale" "scale|height" --height 50mm --scale 2 a.svg
 # A page that is too large for a picture is refused before its memory is asked for.
 case $BUILD_DIR in *asan* | *tsan*) limit=unlimited ;; *) limit=4000000 ;; esac # a sanitiser reserves far more

@@ -2,11 +2,11 @@
  *
  * Any bytes as a command line; NUL or newline ends a word.
  */
-#define main plumbago_main
-#include "tool/plumbago.c"
-#undef main
+#include "tool/command/command_line.h"
 
 #include "fuzz.h"
+
+#include <string.h>
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
 {
@@ -23,11 +23,11 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
         argv[argc++] = at;
     argv[argc] = NULL;
     settings s = {.o = plb_options_new(), .dump = -1};
-    option table[MAX_OPTIONS];
+    command_table table;
     int operands = 0;
-    const option_parser parser = {PROGRAM, table, make_table(table), store_setting};
-    fuzz_require(s.o != NULL);
-    if (options_parse(&parser, argc, argv, &s, &operands))
+    command_table_init(&table);
+    fuzz_require(s.o && table.n <= MAX_OPTIONS);
+    if (command_line_parse(&s, &table, argc, argv, &operands))
         fuzz_require(operands >= 0 && operands < argc);
     /* whatever the words, each setting holds a value that it would take again */
     const plb_setting *row;

@@ -42,7 +42,7 @@ static plb_point *trace(const plb_drawing *d, size_t index, size_t *n, const plb
 plb_point *plb_drawing_trace(const plb_drawing *d, size_t index, size_t *n, const plb_options *given, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
-    const plb_options *o = plb_api_options_for(d, given, &err);
+    const plb_options *o = plb_api_options_for(d, given, &(plb_options){0}, &err);
     plb_point *points = NULL;
     *n = 0;
     if (o && index >= d->strokes.strokes.n)

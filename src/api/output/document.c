@@ -51,7 +51,7 @@ plb_document *plb_document_new(const char *file, plb_error *failed)
 bool plb_document_add(plb_document *t, const plb_drawing *d, const plb_options *given, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
-    const plb_options *o = plb_api_options_for(d, given, &err);
+    const plb_options *o = plb_api_options_for(d, given, &(plb_options){0}, &err);
     if (o && t->broken)
         plb_fail(&err, ERROR_ARGUMENT, "%s: a page of it failed", t->name);
     else if (o)

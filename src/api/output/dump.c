@@ -62,7 +62,7 @@ bool plb_drawing_dump(const plb_drawing *d, plb_dump what, const char *file, con
         plb_fail(&err, ERROR_ARGUMENT, "there is no such dump");
         return plb_api_finish(&err, failed);
     }
-    o = plb_api_options_for(d, o, &err);
+    o = plb_api_options_for(d, o, &(plb_options){0}, &err);
     bool ok = o && (what != PLB_DUMP_CONTROLS || plb_picture_format_suits(plb_picture_format_named("png"), file, &err)) && plb_output_open(&out, file, &err);
     if (ok) {
         switch (what) {

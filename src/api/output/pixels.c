@@ -76,7 +76,7 @@ static bool render(const plb_drawing *d, const plb_pixels *to, const plb_options
 bool plb_drawing_render_pixels(const plb_drawing *d, const plb_pixels *to, const plb_options *given, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
-    const plb_options *o = plb_api_options_for(d, given, &err);
+    const plb_options *o = plb_api_options_for(d, given, &(plb_options){0}, &err);
     if (o)
         render(d, to, o, &err);
     return plb_api_finish(&err, failed);
@@ -86,7 +86,7 @@ bool plb_drawing_size(const plb_drawing *d, int *width, int *height, const plb_o
 {
     error err = {ERROR_NONE, ""};
     page_plan plan = {0};
-    const plb_options *o = plb_api_options_for(d, given, &err);
+    const plb_options *o = plb_api_options_for(d, given, &(plb_options){0}, &err);
     if (o)
         plb_page_plan(d, o, &plan, &err);
     *width = plan.width;

@@ -33,7 +33,7 @@ cairo_surface_t *plb_drawing_render(const plb_drawing *d, const plb_options *o, 
     error err = {ERROR_NONE, ""};
     render_context t;
     cairo_surface_t *result = NULL;
-    o = plb_api_options_for(d, o, &err);
+    o = plb_api_options_for(d, o, &(plb_options){0}, &err);
     if (o && plb_api_context_init(&t, o, &err))
         result = draw_surface(d, o, &t, &err);
     plb_api_finish(&err, failed);

@@ -38,7 +38,7 @@ bool plb_format_of(const char *file, plb_format *format, plb_error *failed)
 
 static bool write_file(const plb_drawing *d, const char *file, const picture_format *f, const plb_options *given, error *err)
 {
-    const plb_options *o = plb_api_options_for(d, given, err);
+    const plb_options *o = plb_api_options_for(d, given, &(plb_options){0}, err);
     output out;
     if (!o || !plb_output_open(&out, file, err))
         return false;
@@ -81,7 +81,7 @@ bool plb_drawing_write_pdf(const plb_drawing *d, const char *file, const plb_opt
 
 static bool write_to(const plb_drawing *d, const char *format, const byte_sink *to, const plb_options *given, error *err)
 {
-    const plb_options *o = plb_api_options_for(d, given, err);
+    const plb_options *o = plb_api_options_for(d, given, &(plb_options){0}, err);
     const picture_format *f = plb_picture_format_named(format);
     if (!f)
         return plb_fail(err, ERROR_ARGUMENT, "there is no format %s", format);

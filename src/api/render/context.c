@@ -5,15 +5,17 @@
 #include "api/pipeline.h"
 
 #include "api/pencil/pencils.h"
+#include "api/settings/page_fit.h"
 #include "system/thread_team.h"
 
 #include <string.h>
 
-const plb_options *plb_api_options_for(const plb_drawing *d, const plb_options *given, error *err)
+const plb_options *plb_api_options_for(const plb_drawing *d, const plb_options *given, plb_options *out, error *err)
 {
-    if (!given)
-        return d->options;
-    return plb_api_check(given, err) && plb_api_check_same(given, d->options, d->name, err) ? given : NULL;
+    *out = given ? *given : *d->options;
+    bool ok = (!given || (plb_api_check(given, err) && plb_api_check_same(given, d->options, d->name, err))) &&
+              plb_page_dpi(out, d->list.width, d->list.height, &out->dpi, err);
+    return ok ? out : NULL;
 }
 
 const plb_options *plb_api_options_checked(const plb_options *given, plb_options **own, error *err)
@@ -28,8 +30,6 @@ const plb_options *plb_api_options_checked(const plb_options *given, plb_options
 bool plb_api_context_init(render_context *t, const plb_options *o, error *err)
 {
     memset(t, 0, sizeof *t);
-    if (!plb_api_check(o, err))
-        return false;
     t->profile = o->profile;
     const line_model *model = plb_model_at((size_t)o->model);
     t->pencil = plb_api_pencil(t->profile, model, (paper_kind)o->paper, err);

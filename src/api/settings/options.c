@@ -118,9 +118,18 @@ void plb_options_set_progress(plb_options *o, plb_progress_function progress, vo
 
 bool plb_api_check(const plb_options *o, error *err)
 {
-    if (o->scale > 0 && (o->width > 0 || o->height > 0))
-        return plb_fail(err, ERROR_ARGUMENT, "scale goes neither with width nor with height");
+    static const char *const apart[][2] = {{"scale", "width"}, {"scale", "height"}, {"page-size", "width"}, {"page-size", "height"}, {"pixels", "dpi"}};
+    for (size_t i = 0; i < sizeof apart / sizeof *apart; i++)
+        if (!plb_setting_is_usual(plb_setting_find(apart[i][0]), o) && !plb_setting_is_usual(plb_setting_find(apart[i][1]), o))
+            return plb_fail(err, ERROR_ARGUMENT, "%s and %s do not go together", apart[i][0], apart[i][1]);
     return true;
+}
+
+bool plb_options_check(const plb_options *o, plb_error *failed)
+{
+    error err = {ERROR_NONE, ""};
+    plb_api_check(o, &err);
+    return plb_api_finish(&err, failed);
 }
 
 bool plb_api_check_same(const plb_options *o, const plb_options *loaded, const char *name, error *err)

@@ -13,6 +13,18 @@
 /* The value of `arm` while the model decides. */
 #define ARM_AUTO (-1)
 
+/* A page by its name: its sides upright, mm, and how it lies. */
+typedef enum { PAGE_AS_DRAWN, PAGE_PORTRAIT, PAGE_LANDSCAPE } page_turn;
+typedef struct {
+    double width, height; /* 0: no name is given */
+    page_turn turn;
+} page_choice;
+
+/* Pixels of the picture; height 0: it follows; both 0: the resolution says. */
+typedef struct {
+    int width, height;
+} picture_pixels;
+
 /* All values, each in a field that a row of the table names. Lengths are mm. */
 struct plb_options {
     plb_profile *profile; /* a reference of its own; never NULL */
@@ -29,6 +41,9 @@ struct plb_options {
     double squiggle;      /* negative: the arm's own */
     double dpi;
     double width, height, scale; /* 0: the drawing's own */
+    double margin;
+    page_choice page_size;
+    picture_pixels pixels;
     double overshoot, restate;
     bool construction, colour;
     int threads;          /* 0: as many as there are processors */
@@ -42,11 +57,19 @@ struct plb_options {
     void *progress_closure;
 };
 
+/* A word that a setting takes, and its meaning: a value of an enumeration; of a page, its sides, mm. */
+typedef struct {
+    const char *name;
+    int value;
+    double width, height;
+} setting_word;
+
 /* A row of the table. */
 typedef struct {
     plb_setting shown;
     size_t offset;     /* of its field in plb_options, whose type goes by the kind */
-    const int *values; /* of a choice: what the words of shown.argument mean, in their order */
+    const setting_word *words;           /* of a choice; the last has no name */
+    const char *(*word)(size_t index);   /* of a choice among the rows of a table of the library's, whose index is the value */
     double automatic;  /* what the field holds for the word "auto", where that is the default */
 } setting;
 
@@ -55,6 +78,9 @@ const setting *plb_setting_find(const char *name);
 /* The row at `index`; NULL past the last. */
 const setting *plb_setting_row(size_t index);
 
+/* The word at `index`; its name is NULL past the last. */
+setting_word plb_setting_word_at(const setting *s, size_t index);
+
 /* Reads `value` as the row's kind asks and stores the result; false and `err`, which says what the setting takes, when it cannot
  * be. */
 bool plb_setting_store(const setting *s, plb_options *o, const char *value, error *err);
@@ -62,6 +88,9 @@ bool plb_setting_store(const setting *s, plb_options *o, const char *value, erro
 bool plb_setting_print(const setting *s, const plb_options *o, char *text, size_t size);
 /* Whether both hold the same value. */
 bool plb_setting_is_equal(const setting *s, const plb_options *a, const plb_options *b);
+
+/* Whether it holds its default. */
+bool plb_setting_is_usual(const setting *s, const plb_options *o);
 
 /* Whether the settings go together. */
 bool plb_api_check(const plb_options *o, error *err);

@@ -11,9 +11,22 @@
 #include <string.h>
 
 #define FIELD(f) .offset = offsetof(plb_options, f)
-#define VALUES(...) .values = (const int[]){__VA_ARGS__}
+#define WORDS(...) .words = (const setting_word[]){__VA_ARGS__, {NULL, 0, 0, 0}}
+#define WORD(name, value) {name, value, 0, 0}
 
 enum { LOAD = PLB_COUNTS_LOADING, DRAW = PLB_COUNTS_DRAWING, FREE = PLB_COUNTS_FREELY };
+
+static const char *arm_name(size_t i)
+{
+    const arm_model *arm = plb_arm_at(i);
+    return arm ? arm->name : NULL;
+}
+
+static const char *model_name(size_t i)
+{
+    const line_model *model = plb_model_at(i);
+    return model ? model->name : NULL;
+}
 
 /* In the order of --help; the groups are its headings. Ranges of lengths are mm. */
 static const setting table[] = {
@@ -30,8 +43,10 @@ static const setting table[] = {
 
     {{"dpi", 'd', "Output", PLB_SETTING_NUMBER, "DPI", 10, 4800, "pixels per inch", "300", "resolution", DRAW},
      FIELD(dpi)},
-    {{"background", 0, "Output", PLB_SETTING_CHOICE, "white|none", 0, 0, "", "white", "paper, or nothing behind the graphite", DRAW},
-     FIELD(background), VALUES(PAGE_WHITE, PAGE_TRANSPARENT)},
+    {{"pixels", 0, "Output", PLB_SETTING_PIXELS, "W|WxH", 1, 1e6, "pixels", "auto", "size of the picture, in place of a resolution; auto: by --dpi", LOAD | DRAW},
+     FIELD(pixels)},
+    {{"background", 0, "Output", PLB_SETTING_CHOICE, NULL, 0, 0, "", "white", "paper, or nothing behind the graphite", DRAW},
+     FIELD(background), WORDS(WORD("white", PAGE_WHITE), WORD("none", PAGE_TRANSPARENT))},
     {{"compress", 0, "Output", PLB_SETTING_WHOLE, "N", 0, 9, "", "1", "0: large at once, 9: small and slow", DRAW},
      FIELD(compress)},
 
@@ -41,36 +56,41 @@ static const setting table[] = {
      FIELD(height)},
     {{"scale", 0, "Size on paper", PLB_SETTING_RATIO, "F", 1e-6, 1e4, "times", "auto", "times its own size: 0.5 50% 1/2 1:2; auto: 1, or fits A3 (DXF)", LOAD},
      FIELD(scale)},
+    {{"page-size", 0, "Size on paper", PLB_SETTING_PAGE, "NAME", 0, 0, "", "auto", "a sheet: A0 to A6, letter, legal, tabloid, lying as the drawing does; A4-portrait, A4-landscape: as they say; auto: the drawing's own", LOAD},
+     FIELD(page_size),
+     WORDS({"A0", 0, 841, 1189}, {"A1", 0, 594, 841}, {"A2", 0, 420, 594}, {"A3", 0, 297, 420}, {"A4", 0, 210, 297}, {"A5", 0, 148, 210}, {"A6", 0, 105, 148}, {"letter", 0, 215.9, 279.4}, {"legal", 0, 215.9, 355.6}, {"tabloid", 0, 279.4, 431.8})},
+    {{"margin", 0, "Size on paper", PLB_SETTING_LENGTH, "LEN", 0, 1000, "mm", "0mm", "blank paper around the drawing", LOAD},
+     FIELD(margin)},
 
     {{"pencil", 'p', "Pencil", PLB_SETTING_PENCIL, "GRADE|FILE", 0, 0, "", "HB", "2H H F HB B 3B 6B 8B or a .pencil file", LOAD | DRAW},
      FIELD(profile)},
     {{"pressure", 0, "Pencil", PLB_SETTING_NUMBER, "F", 0.2, 3, "times the usual", "1", "paler and grainier, or darker", LOAD | DRAW},
      FIELD(pressure)},
-    {{"paper", 0, "Pencil", PLB_SETTING_CHOICE, "smooth|medium|rough|none", 0, 0, "", "medium", "the tooth of the paper, which all strokes share", LOAD | DRAW},
-     FIELD(paper), VALUES(PAPER_SMOOTH, PAPER_MEDIUM, PAPER_ROUGH, PAPER_NONE)},
+    {{"paper", 0, "Pencil", PLB_SETTING_CHOICE, NULL, 0, 0, "", "medium", "the tooth of the paper, which all strokes share", LOAD | DRAW},
+     FIELD(paper), WORDS(WORD("smooth", PAPER_SMOOTH), WORD("medium", PAPER_MEDIUM), WORD("rough", PAPER_ROUGH), WORD("none", PAPER_NONE))},
 
     {{"seed", 's', "Hand", PLB_SETTING_SEED, "SEED", 0, 0, "", "1", "a whole number: another hand for the same drawing", LOAD | DRAW},
      FIELD(seed)},
     {{"squiggle", 0, "Hand", PLB_SETTING_LENGTH, "LEN", 0, 1000, "mm", "auto", "how far lines stray; 0: ruler-straight; auto: as measured (5/300in)", LOAD | DRAW},
      FIELD(squiggle), .automatic = -1},
-    {{"model", 0, "Hand", PLB_SETTING_CHOICE, "graphite|hla", 0, 0, "", "graphite", "how lines are made: as measured, or the papers' algorithm", LOAD | DRAW},
-     FIELD(model), VALUES(1, 0)},
-    {{"arm", 0, "Hand", PLB_SETTING_CHOICE, "hand|jerk|spring|lognormal|torque", 0, 0, "", "auto", "how the arm moves; auto: hand, with --model hla jerk", LOAD | DRAW},
-     FIELD(arm), VALUES(0, 1, 2, 3, 4), .automatic = ARM_AUTO},
-    {{"hand", 0, "Hand", PLB_SETTING_CHOICE, "right|left|none", 0, 0, "", "right", "which hand draws; none: all directions alike", LOAD | DRAW},
-     FIELD(handed), VALUES(HANDED_RIGHT, HANDED_LEFT, HANDED_NONE)},
+    {{"model", 0, "Hand", PLB_SETTING_CHOICE, NULL, 0, 0, "", "graphite", "how lines are made: graphite as measured, or the papers' algorithm", LOAD | DRAW},
+     FIELD(model), .word = model_name},
+    {{"arm", 0, "Hand", PLB_SETTING_CHOICE, NULL, 0, 0, "", "auto", "how the arm moves; auto: hand, with --model hla jerk", LOAD | DRAW},
+     FIELD(arm), .word = arm_name, .automatic = ARM_AUTO},
+    {{"hand", 0, "Hand", PLB_SETTING_CHOICE, NULL, 0, 0, "", "right", "which hand draws; none: all directions alike", LOAD | DRAW},
+     FIELD(handed), WORDS(WORD("right", HANDED_RIGHT), WORD("left", HANDED_LEFT), WORD("none", HANDED_NONE))},
     {{"overshoot", 0, "Hand", PLB_SETTING_LENGTH, "LEN", 0, 100, "mm", "0mm", "lines run past corners by up to LEN", LOAD},
      FIELD(overshoot)},
-    {{"restate", 0, "Hand", PLB_SETTING_NUMBER, "F", 0, 1, "", "0", "share of the long lines that are drawn twice", LOAD},
+    {{"restate", 0, "Hand", PLB_SETTING_NUMBER, "F", 0, 1, "", "0", "share of the long lines that are drawn twice, 0 to 1", LOAD},
      FIELD(restate)},
     {{"construction", 0, "Hand", PLB_SETTING_FLAG, NULL, 0, 0, "", "off", "faint construction lines beyond long lines, axes of circles", LOAD},
      FIELD(construction)},
 
-    {{"fill", 0, "What is drawn", PLB_SETTING_CHOICE, "hatch|outline|none", 0, 0, "", "hatch", "what becomes of filled shapes", LOAD},
-     FIELD(fill), VALUES(FILL_HATCH, FILL_OUTLINE, FILL_NONE)},
-    {{"text", 0, "What is drawn", PLB_SETTING_CHOICE, "hand|outline|none", 0, 0, "", "hand", "what becomes of lettering", LOAD},
-     FIELD(text), VALUES(TEXT_HAND, TEXT_OUTLINE, TEXT_NONE)},
-    {{"colour", 0, "What is drawn", PLB_SETTING_FLAG, NULL, 0, 0, "", "off", "each line with a pencil of its own colour, not all graphite", LOAD | DRAW},
+    {{"fill", 0, "What is drawn", PLB_SETTING_CHOICE, NULL, 0, 0, "", "hatch", "what becomes of filled shapes", LOAD},
+     FIELD(fill), WORDS(WORD("hatch", FILL_HATCH), WORD("outline", FILL_OUTLINE), WORD("none", FILL_NONE))},
+    {{"text", 0, "What is drawn", PLB_SETTING_CHOICE, NULL, 0, 0, "", "hand", "what becomes of lettering", LOAD},
+     FIELD(text), WORDS(WORD("hand", TEXT_HAND), WORD("outline", TEXT_OUTLINE), WORD("none", TEXT_NONE))},
+    {{"colour", 0, "What is drawn", PLB_SETTING_FLAG, NULL, 0, 0, "", "off", "each line with a pencil of its own colour, not all graphite (also --color)", LOAD | DRAW},
      FIELD(colour)},
 
     {{"threads", 0, "Work", PLB_SETTING_WHOLE, "N", 1, 64, "threads", "auto", "at most so many work; auto: as many as processors", LOAD | DRAW | FREE},
@@ -93,5 +113,20 @@ const setting *plb_setting_find(const char *name)
     for (size_t i = 0; i < ROWS; i++)
         if (!strcmp(table[i].shown.name, name))
             return &table[i];
+    return NULL;
+}
+
+setting_word plb_setting_word_at(const setting *s, size_t index)
+{
+    if (s->word)
+        return (setting_word){.name = s->word(index), .value = (int)index};
+    return s->words ? s->words[index] : (setting_word){0};
+}
+
+const char *plb_setting_word(const plb_setting *shown, size_t index)
+{
+    for (size_t i = 0; i < ROWS; i++)
+        if (&table[i].shown == shown)
+            return plb_setting_word_at(&table[i], index).name;
     return NULL;
 }

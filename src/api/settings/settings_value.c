@@ -12,6 +12,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
+#include <strings.h>
 
 #define AUTOMATIC "auto"
 /* A refused value is shown so far. */
@@ -98,22 +99,44 @@ static bool store_seed(const setting *s, void *field, const char *text)
 
 /* ---- words ---- */
 
-/* The length of the next word of "white|none"; the words of a choice end with the text. */
-static size_t word_length(const char *words)
-{
-    return strcspn(words, "|");
-}
-
 static bool store_choice(const setting *s, void *field, const char *text)
 {
-    const char *word = s->shown.argument;
-    for (int i = 0; *word; i++) {
-        size_t n = word_length(word);
-        if (strlen(text) == n && !strncmp(text, word, n))
-            return *(int *)field = s->values[i], true;
-        word += n + (word[n] == '|');
+    setting_word word;
+    for (size_t i = 0; (word = plb_setting_word_at(s, i)).name; i++)
+        if (!strcmp(text, word.name))
+            return *(int *)field = word.value, true;
+    return false;
+}
+
+static const char *const turns[] = {[PAGE_AS_DRAWN] = "", [PAGE_PORTRAIT] = "-portrait", [PAGE_LANDSCAPE] = "-landscape"};
+
+/* The words of a page may be in any case, and say how the page lies. */
+static bool store_page(const setting *s, void *field, const char *text)
+{
+    setting_word word;
+    for (size_t i = 0; (word = plb_setting_word_at(s, i)).name; i++) {
+        size_t n = strlen(word.name);
+        for (int k = 0; k < 3 && !strncasecmp(text, word.name, n); k++)
+            if (!strcasecmp(text + n, turns[k]))
+                return *(page_choice *)field = (page_choice){word.width, word.height, (page_turn)k}, true;
     }
     return false;
+}
+
+/* "1200" or "800x600". */
+static bool store_pixels(const setting *s, void *field, const char *text)
+{
+    char width[16];
+    size_t n = strcspn(text, "x");
+    uint64_t w = 0, h = 0;
+    if (n >= sizeof width)
+        return false;
+    memcpy(width, text, n);
+    width[n] = '\0';
+    if (!read_whole(width, &w) || !is_in_range(&s->shown, (double)w) || (text[n] && !(read_whole(text + n + 1, &h) && is_in_range(&s->shown, (double)h))))
+        return false;
+    *(picture_pixels *)field = (picture_pixels){(int)w, (int)h};
+    return true;
 }
 
 static bool store_flag(const setting *s, void *field, const char *text)
@@ -153,28 +176,28 @@ static bool store_pencil(plb_options *o, const char *text, error *err)
 /* ---- refusals ---- */
 
 /* "right, left or none" */
-static void list_words(const char *words, char *text, size_t size)
+static void list_words(const setting *s, char *text, size_t size)
 {
+    setting_word word;
     size_t at = 0;
-    while (*words && at < size) {
-        size_t n = word_length(words);
-        bool last = !words[n];
-        const char *then = last ? "" : strchr(words + n + 1, '|') ? ", " : " or ";
-        int written = snprintf(text + at, size - at, "%.*s%s", (int)n, words, then);
+    for (size_t i = 0; (word = plb_setting_word_at(s, i)).name && at < size; i++) {
+        bool last = !plb_setting_word_at(s, i + 1).name;
+        int written = snprintf(text + at, size - at, "%s%s", i == 0 ? "" : last ? " or " : ", ", word.name);
         at += written > 0 ? (size_t)written : size;
-        words += n + !last;
     }
 }
 
 static bool refuse(const setting *s, const char *value, error *err)
 {
     const plb_setting *row = &s->shown;
-    char takes[160], least[48], most[48];
+    char takes[200], least[48], most[48];
     const char *also = has_automatic(s) ? ", or auto" : "";
     plb_format_number(least, row->min, 6);
     plb_format_number(most, row->max, 6);
     switch (row->kind) {
-    case PLB_SETTING_CHOICE: list_words(row->argument, takes, sizeof takes); break;
+    case PLB_SETTING_CHOICE: list_words(s, takes, sizeof takes); break;
+    case PLB_SETTING_PAGE: list_words(s, takes, sizeof takes); also = ", perhaps with -portrait or -landscape, or auto"; break;
+    case PLB_SETTING_PIXELS: snprintf(takes, sizeof takes, "%s to %s, as 1200 or 800x600", least, most); break;
     case PLB_SETTING_FLAG: snprintf(takes, sizeof takes, "on or off"); break;
     case PLB_SETTING_SEED: snprintf(takes, sizeof takes, "a whole number"); break;
     case PLB_SETTING_LENGTH: snprintf(takes, sizeof takes, "%s to %s mm, written as 84mm, 8.4cm, 3.3in, 240pt or 320px", least, most); break;
@@ -187,7 +210,11 @@ static bool refuse(const setting *s, const char *value, error *err)
 
 static void store_automatic(const setting *s, void *field)
 {
-    if (s->shown.kind == PLB_SETTING_WHOLE || s->shown.kind == PLB_SETTING_CHOICE)
+    if (s->shown.kind == PLB_SETTING_PAGE)
+        *(page_choice *)field = (page_choice){0};
+    else if (s->shown.kind == PLB_SETTING_PIXELS)
+        *(picture_pixels *)field = (picture_pixels){0};
+    else if (s->shown.kind == PLB_SETTING_WHOLE || s->shown.kind == PLB_SETTING_CHOICE)
         *(int *)field = (int)s->automatic;
     else
         *(double *)field = s->automatic;
@@ -208,6 +235,8 @@ bool plb_setting_store(const setting *s, plb_options *o, const char *value, erro
     case PLB_SETTING_WHOLE: ok = store_whole(s, field, value); break;
     case PLB_SETTING_SEED: ok = store_seed(s, field, value); break;
     case PLB_SETTING_CHOICE: ok = store_choice(s, field, value); break;
+    case PLB_SETTING_PAGE: ok = store_page(s, field, value); break;
+    case PLB_SETTING_PIXELS: ok = store_pixels(s, field, value); break;
     case PLB_SETTING_FLAG: ok = store_flag(s, field, value); break;
     case PLB_SETTING_TEXT: return store_text(s, o, value, err);
     case PLB_SETTING_PENCIL: return store_pencil(o, value, err);
@@ -221,16 +250,36 @@ static bool is_automatic(const setting *s, const void *field)
 {
     if (!has_automatic(s))
         return false;
+    if (s->shown.kind == PLB_SETTING_PAGE)
+        return ((const page_choice *)field)->width <= 0;
+    if (s->shown.kind == PLB_SETTING_PIXELS)
+        return ((const picture_pixels *)field)->width <= 0;
     bool whole = s->shown.kind == PLB_SETTING_WHOLE || s->shown.kind == PLB_SETTING_CHOICE;
     return whole ? *(const int *)field == (int)s->automatic : *(const double *)field == s->automatic;
 }
 
-static void print_choice(const setting *s, int value, char *text, size_t size)
+static const char *word_of(const setting *s, int value)
 {
-    const char *word = s->shown.argument;
-    for (int i = 0; s->values[i] != value && strchr(word, '|'); i++)
-        word += word_length(word) + 1;
-    snprintf(text, size, "%.*s", (int)word_length(word), word);
+    size_t i = 0;
+    while (plb_setting_word_at(s, i).name && plb_setting_word_at(s, i).value != value)
+        i++;
+    return plb_setting_word_at(s, i).name;
+}
+
+static void print_page(const setting *s, const page_choice *p, char *text, size_t size)
+{
+    size_t i = 0;
+    while (plb_setting_word_at(s, i).name && plb_setting_word_at(s, i).height != p->height)
+        i++;
+    snprintf(text, size, "%s%s", plb_setting_word_at(s, i).name, turns[p->turn]);
+}
+
+static void print_pixels(const picture_pixels *p, char *text, size_t size)
+{
+    if (p->height > 0)
+        snprintf(text, size, "%dx%d", p->width, p->height);
+    else
+        snprintf(text, size, "%d", p->width);
 }
 
 bool plb_setting_print(const setting *s, const plb_options *o, char *text, size_t size)
@@ -247,7 +296,9 @@ bool plb_setting_print(const setting *s, const plb_options *o, char *text, size_
         case PLB_SETTING_LENGTH: snprintf(made, sizeof made, "%smm", plb_format_number(number, *(const double *)field, 9)); break;
         case PLB_SETTING_WHOLE: snprintf(made, sizeof made, "%d", *(const int *)field); break;
         case PLB_SETTING_SEED: snprintf(made, sizeof made, "%llu", (unsigned long long)*(const uint64_t *)field); break;
-        case PLB_SETTING_CHOICE: print_choice(s, *(const int *)field, made, sizeof made); break;
+        case PLB_SETTING_CHOICE: shown = word_of(s, *(const int *)field); break;
+        case PLB_SETTING_PAGE: print_page(s, field, made, sizeof made); break;
+        case PLB_SETTING_PIXELS: print_pixels(field, made, sizeof made); break;
         case PLB_SETTING_FLAG: shown = *(const bool *)field ? "on" : "off"; break;
         case PLB_SETTING_TEXT: shown = *(char *const *)field ? *(char *const *)field : ""; break;
         case PLB_SETTING_PENCIL: shown = plb_profile_name(o->profile); break;
@@ -275,6 +326,14 @@ bool plb_setting_is_equal(const setting *s, const plb_options *a, const plb_opti
     case PLB_SETTING_WHOLE:
     case PLB_SETTING_CHOICE: return *(const int *)x == *(const int *)y;
     case PLB_SETTING_SEED: return *(const uint64_t *)x == *(const uint64_t *)y;
+    case PLB_SETTING_PAGE: {
+        const page_choice *p = x, *q = y;
+        return p->width == q->width && p->height == q->height && p->turn == q->turn;
+    }
+    case PLB_SETTING_PIXELS: { /* of which the shape alone counts for the strokes */
+        const picture_pixels *p = x, *q = y;
+        return p->height == q->height && (p->width == q->width || p->height == 0);
+    }
     case PLB_SETTING_FLAG: return *(const bool *)x == *(const bool *)y;
     case PLB_SETTING_TEXT: {
         const char *p = *(char *const *)x, *q = *(char *const *)y;
@@ -283,4 +342,10 @@ bool plb_setting_is_equal(const setting *s, const plb_options *a, const plb_opti
     case PLB_SETTING_PENCIL: return is_same_pencil(a->profile->p, b->profile->p);
     }
     return false;
+}
+
+bool plb_setting_is_usual(const setting *s, const plb_options *o)
+{
+    char value[64];
+    return plb_setting_print(s, o, value, sizeof value) && !strcmp(value, s->shown.usual);
 }

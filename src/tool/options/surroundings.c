@@ -3,9 +3,9 @@
  * See surroundings.h.
  */
 #define _DEFAULT_SOURCE
-#include "tool/surroundings.h"
+#include "tool/options/surroundings.h"
 
-#include "tool/streams.h"
+#include "tool/options/streams.h"
 
 #include <signal.h>
 #include <stdio.h>

@@ -2,7 +2,7 @@
  *
  * See pages.h.
  */
-#include "tool/pages.h"
+#include "tool/command/pages.h"
 
 #include <stdio.h>
 #include <stdlib.h>

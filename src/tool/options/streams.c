@@ -2,7 +2,7 @@
  *
  * See streams.h.
  */
-#include "tool/streams.h"
+#include "tool/options/streams.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -2,8 +2,8 @@
  *
  * Pages on the command line: what --page asks for, and what their pictures are called.
  */
-#ifndef PLB_TOOL_PAGES_H
-#define PLB_TOOL_PAGES_H
+#ifndef PLB_TOOL_COMMAND_PAGES_H
+#define PLB_TOOL_COMMAND_PAGES_H
 
 #include <limits.h>
 #include <stdbool.h>

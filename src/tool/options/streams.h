@@ -2,8 +2,8 @@
  *
  * The three standard streams, as both programs use them.
  */
-#ifndef PLB_TOOL_STREAMS_H
-#define PLB_TOOL_STREAMS_H
+#ifndef PLB_TOOL_OPTIONS_STREAMS_H
+#define PLB_TOOL_OPTIONS_STREAMS_H
 
 #include <stdbool.h>
 #include <stddef.h>

@@ -2,9 +2,10 @@
  *
  * See options.h.
  */
-#include "tool/options.h"
+#include "tool/options/options.h"
 
-#include "tool/streams.h"
+#include "tool/options/nearest.h"
+#include "tool/options/streams.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -17,12 +18,37 @@ static bool complain(const char *program, const char *what, const char *which, s
     return false;
 }
 
+static bool is_called(const char *name, const char *text, size_t length)
+{
+    return name && strlen(name) == length && !strncmp(name, text, length);
+}
+
 static const option *find_name(const option *table, size_t n, const char *name, size_t length)
 {
     for (size_t i = 0; i < n; i++)
-        if (table[i].name && strlen(table[i].name) == length && !strncmp(table[i].name, name, length))
+        if (is_called(table[i].name, name, length) || is_called(table[i].alias, name, length))
             return &table[i];
     return NULL;
+}
+
+/* "--widht" is nearest to --width. */
+static bool complain_of_name(const option_parser *by, const char *word, size_t length)
+{
+    const char *nearest = NULL;
+    size_t least = nearest_limit(length);
+    for (size_t i = 0; i < by->n; i++) {
+        size_t away = by->table[i].name ? nearest_distance(by->table[i].name, word, length) : NEAREST_FAR;
+        if (away <= least && (away < least || !nearest)) {
+            least = away;
+            nearest = by->table[i].name;
+        }
+    }
+    if (!nearest)
+        return false;
+    fprintf(stderr, "%s: there is no option --", by->program);
+    streams_put(stderr, word, length);
+    fprintf(stderr, "; did you mean --%s? Try '%s --help'\n", nearest, by->program);
+    return true;
 }
 
 static const option *find_letter(const option *table, size_t n, char letter)
@@ -54,7 +80,7 @@ static bool parse_long(const option_parser *by, int argc, char **argv, int *i, v
     size_t length = equals ? (size_t)(equals - name) : strlen(name);
     const option *o = find_name(by->table, by->n, name, length);
     if (!o)
-        return complain(by->program, "there is no option", argv[*i], length + 2);
+        return !complain_of_name(by, name, length) && complain(by->program, "there is no option", argv[*i], length + 2);
     if (!o->argument)
         return equals ? complain(by->program, "no value belongs to", argv[*i], length + 2) : store(by, o, settings, NULL);
     if (equals)
@@ -101,27 +127,4 @@ bool options_parse(const option_parser *by, int argc, char **argv, void *setting
             return false;
     }
     return true;
-}
-
-/* Where the explanations begin; options that reach beyond have theirs on the next line. */
-#define HELP_COLUMN 30
-
-void options_print(const option *table, size_t n)
-{
-    for (size_t i = 0; i < n; i++) {
-        const option *o = &table[i];
-        if (!o->name) {
-            printf("\n%s:\n", o->help);
-            continue;
-        }
-        char left[64];
-        int at = o->letter ? snprintf(left, sizeof left, "  -%c, --%s", o->letter, o->name) : snprintf(left, sizeof left, "      --%s", o->name);
-        if (o->argument && at > 0 && at < (int)sizeof left)
-            snprintf(left + at, sizeof left - (size_t)at, " %s", o->argument);
-        if (strlen(left) > HELP_COLUMN)
-            printf("%s\n%*s", left, HELP_COLUMN, "");
-        else
-            printf("%-*s", HELP_COLUMN, left);
-        printf(" %s\n", o->help);
-    }
 }

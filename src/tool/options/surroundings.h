@@ -2,8 +2,8 @@
  *
  * What the programs make of the process that they were started in.
  */
-#ifndef PLB_TOOL_SURROUNDINGS_H
-#define PLB_TOOL_SURROUNDINGS_H
+#ifndef PLB_TOOL_OPTIONS_SURROUNDINGS_H
+#define PLB_TOOL_OPTIONS_SURROUNDINGS_H
 
 #include <stdbool.h>
 

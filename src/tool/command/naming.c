@@ -2,10 +2,12 @@
  *
  * See naming.h.
  */
-#include "tool/naming.h"
+#include "tool/command/naming.h"
 
 #include <stdlib.h>
+#include <stdio.h>
 #include <string.h>
+#include <sys/stat.h>
 
 #define PLACE "%s"
 
@@ -60,4 +62,17 @@ const char *naming_repeated(char **names, size_t n)
         if (!strcmp(names[i - 1], names[i]))
             return names[i];
     return NULL;
+}
+
+char *naming_in_folder(const char *name, const char *suffix, bool several)
+{
+    struct stat st;
+    size_t n = strlen(name), room = n + strlen(suffix) + 16;
+    bool slash = n > 0 && name[n - 1] == '/';
+    if (!slash && !(stat(name, &st) == 0 && S_ISDIR(st.st_mode)))
+        return NULL;
+    char *pattern = malloc(room);
+    if (pattern)
+        snprintf(pattern, room, "%s%s%s%s%s", name, slash ? "" : "/", PLACE, several ? "-%d" : "", suffix);
+    return pattern;
 }
