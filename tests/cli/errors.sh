@@ -77,10 +77,9 @@ fi
 
 # ---- the output ----
 refuses "an output folder that is not there" "no/x\.png" -o no/x.png a.svg
-mkdir out.png
-refuses "an output that is a directory" "out\.png" -o out.png a.svg
+mkdir -p folder/a.png # a folder takes the picture, but not where another lies
+refuses "an output that is a directory" "folder/a\.png" -o folder a.svg
 refuses "an output named like a directory" "out\.png/" -o out.png/ a.svg
-rmdir out.png
 refuses "an output under a file" "a\.svg/x\.png" -o a.svg/x.png a.svg
 if [ -w /dev/full ]; then
     refuses "a full device as output file" "/dev/full" -o /dev/full a.svg
