@@ -18,6 +18,7 @@
 #include "tap/common/tap_omissions.h"
 #include "tap/common/tap_page.h"
 #include "tap/svg/cairoscript.h"
+#include "tap/svg/rewrite/rewrite.h"
 
 #include <cairo-script.h>
 #include <fontconfig/fontconfig.h>
@@ -393,8 +394,28 @@ static bool lacks_fonts(const GByteArray *text)
     return !fonts || fonts->nfont == 0;
 }
 
+/* The document in words that librsvg knows; the same where it is so already. */
+static GByteArray *rewritten(GByteArray *text, rewrite_report *report)
+{
+    if (!plb_rewrite_is_due((const char *)text->data, text->len))
+        return text;
+    GByteArray *made = plb_rewrite((const char *)text->data, text->len, report);
+    return made ? made : text;
+}
+
+/* What could not be rewritten is left out, or not as it should be. */
+static void add_report(list_writer *out, const rewrite_report *report, omissions *lost)
+{
+    lost->n[OMISSION_TEXT] += report->text;
+    if (!report->style_sheet)
+        return;
+    char *message = g_strdup_printf("the style sheet %.80s is a file of its own and is not read: colours and widths may be wrong", report->style_sheet);
+    plb_list_writer_message(out, MESSAGE_WARNING, message);
+    g_free(message);
+}
+
 /* Draws the document and writes all of the list. */
-static void write_list(RsvgHandle *svg, const GByteArray *text, const tap_page *p, bool no_text)
+static void write_list(RsvgHandle *svg, const GByteArray *text, const tap_page *p, bool no_text, const rewrite_report *report)
 {
     static list_writer out;
     static script_pipe from_cairo;
@@ -418,6 +439,7 @@ static void write_list(RsvgHandle *svg, const GByteArray *text, const tap_page *
     omissions lost = plb_tap_count_omissions((const char *)text->data, text->len);
     if (!plb_cairoscript_end(from_cairo.script, &lost, &err))
         quit_for(&err);
+    add_report(&out, report, &lost);
     for (int k = 0; k < OMISSION_KINDS; k++)
         if (lost.n[k])
             plb_list_writer_omission(&out, (omission_kind)k, lost.n[k], NULL);
@@ -438,8 +460,10 @@ int main(int argc, char **argv)
     GByteArray *text = read_document();
     if (mend)
         text = recover(text);
+    rewrite_report report = {0};
+    text = rewritten(text, &report);
     RsvgHandle *svg = load(text);
     tap_page p = find_page(svg);
-    write_list(svg, text, &p, no_text);
+    write_list(svg, text, &p, no_text, &report);
     _exit(TAP_DONE); /* no time for tidying up */
 }

@@ -1,0 +1,46 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The steps that rewrite a document into one that librsvg 2.54 draws right. Each takes the document as the step before
+ * left it.
+ */
+#ifndef PLB_TAP_SVG_REWRITE_STEPS_H
+#define PLB_TAP_SVG_REWRITE_STEPS_H
+
+#include "tap/svg/rewrite/css.h"
+#include "tap/svg/rewrite/node.h"
+#include "tap/svg/rewrite/rewrite.h"
+
+/* What the steps share. */
+typedef struct {
+    xmlDoc *doc;
+    css_sheet *sheet;
+    GHashTable *ids; /* of plb_node_ids; new elements that others refer to are added */
+    rewrite_report *report;
+    unsigned renders; /* how often librsvg was asked, in all */
+    bool changed;     /* a step has changed the document */
+} rewriting;
+
+/* values.c: var(), modern colours and the property d become what librsvg knows, in the style attribute of each element. */
+void plb_rewrite_values(rewriting *r);
+/* labels.c: what a switch shows; HTML in foreignObject becomes a line of text; the notice that text is not SVG goes. */
+void plb_rewrite_labels(rewriting *r);
+/* Puts `n` into a new group that takes over its transformation, and the other properties that act on all of it when `whole`:
+ * so the group's user space is that of the element, and nothing acts twice. */
+xmlNode *plb_rewrite_wrap(rewriting *r, xmlNode *n, bool whole);
+
+/* images.c: images that are SVG become nested drawings. */
+void plb_rewrite_images(rewriting *r);
+/* text.c: lists of places, text on a path, text of a given length. */
+void plb_rewrite_text(rewriting *r);
+/* transforms.c: transform-origin and transform-box. */
+void plb_rewrite_transforms(rewriting *r);
+/* strokes.c: non-scaling strokes, and dashes by pathLength. */
+void plb_rewrite_strokes(rewriting *r);
+/* filters.c: what a filter does to an element's colour. */
+void plb_rewrite_filters(rewriting *r);
+/* patterns.c: tiles of lines and dots are laid out. */
+void plb_rewrite_patterns(rewriting *r);
+/* masks.c: masks of black and white, and clip paths that are clipped themselves. */
+void plb_rewrite_masks(rewriting *r);
+
+#endif
