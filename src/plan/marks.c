@@ -14,6 +14,11 @@
 #include "plan/letter/letter.h"
 #include "plan/shape/flatten.h"
 
+#include <math.h>
+
+/* A stroke that differs by so much in lightness from the fill that it goes round is an edge (chosen by eye). */
+#define EDGE_CONTRAST 0.2
+
 static stroke_style style_of(const plan_context *p, const item *it)
 {
     return plb_style_of(it, p->options, p->usual_width);
@@ -62,6 +67,12 @@ static bool is_outlined_by(const item *fill, const item *other)
     return fill->kind == ITEM_FILL && other->kind == ITEM_STROKE && plb_leaves_mark(other) && plb_path_equal(&fill->path, &other->path);
 }
 
+/* Whether the stroke that follows a fill's outline has another tone than the fill: a bar or a facet with an edge, no letter. */
+static bool is_edge(const item *fill, const item *outline)
+{
+    return fabs(plb_paint_lightness(outline->paint) - plb_paint_lightness(fill->paint)) > EDGE_CONTRAST;
+}
+
 /* Lettering has its own pressure; the paint's comes on top. The outline of a letter, stroked after it, is not drawn, too; one that was
  * stroked before it is all that is drawn. */
 static bool add_letters(const plan_context *p, size_t i, bool outlined, bool *taken, track_list *out, bool *stands_for_next, error *err)
@@ -89,7 +100,8 @@ static bool add_fill(const plan_context *p, size_t i, track_list *out, bool *sta
     bool outlined = outlined_before || outlined_after, is_letter = false, is_blot = false, outline = fill == FILL_OUTLINE;
     if (fill == FILL_HATCH && !plb_is_blot(it, p->options, &is_blot, err))
         return false;
-    if (!is_blot && !outlined_before && !add_letters(p, i, outlined, &is_letter, out, stands_for_next, err))
+    bool has_edge = outlined_before || (outlined_after && is_edge(it, it + 1));
+    if (!is_blot && !has_edge && !add_letters(p, i, outlined, &is_letter, out, stands_for_next, err))
         return false;
     if (is_letter)
         return true;

@@ -309,11 +309,27 @@ static axis axis_of(const coverage_raster *t, double from, double to)
     return (axis){(border - from) / length, cell / fabs(length), length > 0 ? 1 : -1};
 }
 
+/* Narrows the parameters to the part of a segment whose coordinate lies within `n` cells; false: no part does. Cells beyond
+ * the raster are open, so nothing is crossed there. */
+static bool within_raster(const coverage_raster *t, double from, double length, int64_t n, double *enters, double *leaves)
+{
+    double far_edge = (double)n * t->cells.cell;
+    if (length == 0)
+        return from >= 0 && from <= far_edge;
+    double low = -from / length, high = (far_edge - from) / length;
+    *enters = fmax(*enters, fmin(low, high));
+    *leaves = fmin(*leaves, fmax(low, high));
+    return *enters < *leaves;
+}
+
 bool plb_coverage_cross(const coverage_raster *t, size_t order, point from, point to, crossings *at)
 {
-    double edge_x = t->columns * t->cells.cell, edge_y = t->rows * t->cells.cell;
-    if (fmin(fmin(from.x, to.x), fmin(from.y, to.y)) < 0 || fmax(from.x, to.x) > edge_x || fmax(from.y, to.y) > edge_y)
-        return true; /* clips have cut lines to the page; outlines that leave it stay whole */
+    double enters = 0, leaves = 1;
+    if (!within_raster(t, from.x, to.x - from.x, t->columns, &enters, &leaves) || !within_raster(t, from.y, to.y - from.y, t->rows, &enters, &leaves))
+        return true;
+    point start = from;
+    from = point_mix(start, to, enters);
+    to = point_mix(start, to, leaves);
     int64_t column = plb_grid_cell(&t->cells, from.x), row = plb_grid_cell(&t->cells, from.y);
     axis x = axis_of(t, from.x, to.x), y = axis_of(t, from.y, to.y);
     bool before = is_over(t, order, column, row);
@@ -322,7 +338,7 @@ bool plb_coverage_cross(const coverage_raster *t, size_t order, point from, poin
         *(a == &x ? &column : &row) += a->way;
         a->next += a->step;
         bool now = is_over(t, order, column, row);
-        if (now != before && s > 0 && !array_push(at, s))
+        if (now != before && s > 0 && !array_push(at, enters + s * (leaves - enters)))
             return false;
         before = now;
     }

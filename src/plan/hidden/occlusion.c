@@ -21,6 +21,11 @@
 
 /* Paint more opaque than this hides (chosen by eye: half-transparent tints do not). */
 #define OPAQUE 0.95
+/* Nearly white paint hides from this opacity on, if each of its channels is at least so light (chosen by eye). */
+#define VEIL 0.7
+#define VEIL_LIGHT 0.9
+/* What a line in the paper's colour hides is at least so many widths of the pencil broad (chosen by eye: less closes up). */
+#define GAP_WIDTHS 0.9
 /* Boxes to a node of the tree. */
 #define FAN 8
 /* The most looks at edges for one drawing, some seconds of them: beyond, nothing more is cut. */
@@ -57,15 +62,26 @@ struct occluders {
 
 /* ---- which areas ---- */
 
+/* A veil of paper, as legends have it behind their words, hides as well. */
 static bool is_opaque(const item *it)
 {
-    return it->paint.alpha >= OPAQUE && it->paint.kind != PAINT_PATTERN;
+    const paint *p = &it->paint;
+    bool is_veil = p->kind == PAINT_SOLID && p->alpha >= VEIL && fmin(p->red, fmin(p->green, p->blue)) >= VEIL_LIGHT;
+    return (p->alpha >= OPAQUE || is_veil) && p->kind != PAINT_PATTERN;
+}
+
+/* How broad a band the item hides, mm: a wide line as much as it covers, a line in the paper's colour at least what shows
+ * as a gap between two lines of the pencil. 0: it is no line, or hides nothing. */
+static double hiding_width(const item *it, const plan_options *o)
+{
+    if (it->kind != ITEM_STROKE || it->dash.n)
+        return 0;
+    return plb_leaves_mark(it) ? plb_is_wide(it, o) ? it->width : 0 : fmax(it->width, GAP_WIDTHS * o->pencil_width);
 }
 
 static bool hides(const item *it, const plan_options *o)
 {
-    bool is_area = it->kind == ITEM_FILL || (plb_is_wide(it, o) && it->dash.n == 0);
-    return is_area && is_opaque(it);
+    return (it->kind == ITEM_FILL || hiding_width(it, o) > 0) && is_opaque(it);
 }
 
 static box intersect(box a, box b)
@@ -74,10 +90,10 @@ static box intersect(box a, box b)
 }
 
 /* Gives the box that an item can paint in: its path's, within the page and its clips. */
-static box reach_of(const display_list *list, const item *it)
+static box reach_of(const display_list *list, const item *it, const plan_options *o)
 {
     box b = plb_path_bounds(&it->path);
-    double more = it->kind == ITEM_STROKE ? it->width : 0; /* half would do but for square caps */
+    double more = it->kind == ITEM_STROKE ? fmax(it->width, hiding_width(it, o)) : 0; /* half would do but for square caps */
     b = (box){b.x0 - more, b.y0 - more, b.x1 + more, b.y1 + more};
     b = intersect(b, (box){0, 0, list->width, list->height});
     for (int k = it->clip; k != NO_CLIP; k = list->clips.v[k].parent)
@@ -97,7 +113,7 @@ static uint32_t spread(double unit)
 static bool add_area(occluders *c, size_t i)
 {
     const display_list *list = c->list;
-    box b = reach_of(list, &list->items.v[i]);
+    box b = reach_of(list, &list->items.v[i], c->options);
     if (b.x1 - b.x0 < 2 * EDGE_MARGIN_MM || b.y1 - b.y0 < 2 * EDGE_MARGIN_MM)
         return true; /* too small for anything to hide in */
     area a = {.bounds = b, .order = i};
@@ -163,7 +179,7 @@ static bool look_at_shape(occluders *c, size_t i, box within)
     if (it->kind == ITEM_FILL)
         return plb_coverage_add(c->raster, &it->path, it->even_odd, within, covers, i, &c->hidden[i], c->err);
     path outline = {0};
-    bool ok = !covers || (plb_wide_outline(it, &outline, c->err) && plb_coverage_add(c->raster, &outline, false, within, covers, i, &c->hidden[i], c->err));
+    bool ok = !covers || (plb_wide_outline(it, hiding_width(it, c->options), &outline, c->err) && plb_coverage_add(c->raster, &outline, false, within, covers, i, &c->hidden[i], c->err));
     plb_path_free(&outline);
     return ok;
 }
@@ -178,7 +194,7 @@ static bool find_hidden(occluders *c)
     c->hidden = plb_new(list->items.n, sizeof *c->hidden);
     bool ok = c->raster && c->hidden;
     for (size_t i = list->items.n; ok && i-- > 0;) {
-        box b = reach_of(list, &list->items.v[i]);
+        box b = reach_of(list, &list->items.v[i], c->options);
         if (b.x0 > b.x1 || b.y0 > b.y1)
             continue; /* beside the page */
         c->hidden[i] = plb_coverage_hides_box(c->raster, b);
@@ -237,7 +253,7 @@ static region *make_region(occluders *c, const item *it)
     if (it->kind == ITEM_FILL)
         return plb_region_new(&it->path, it->even_odd, c->err);
     path outline = {0};
-    region *r = plb_wide_outline(it, &outline, c->err) ? plb_region_new(&outline, false, c->err) : NULL;
+    region *r = plb_wide_outline(it, hiding_width(it, c->options), &outline, c->err) ? plb_region_new(&outline, false, c->err) : NULL;
     plb_path_free(&outline);
     return r;
 }

@@ -16,6 +16,7 @@
 
 typedef struct {
     const item *it;
+    double width; /* mm */
     path *out;
     error *err;
 } widener;
@@ -40,7 +41,7 @@ static bool add_disc(widener *w, point at)
     point v[DISC_CORNERS];
     for (int i = 0; i < DISC_CORNERS; i++) {
         double a = 2 * PLB_PI * i / DISC_CORNERS;
-        v[i] = (point){at.x + cos(a) * w->it->width / 2, at.y + sin(a) * w->it->width / 2};
+        v[i] = (point){at.x + cos(a) * w->width / 2, at.y + sin(a) * w->width / 2};
     }
     return add_polygon(w, v, DISC_CORNERS);
 }
@@ -49,7 +50,7 @@ static bool add_disc(widener *w, point at)
 static point side(const widener *w, point in, point out)
 {
     point along = unit((point){0, 0}, point_add(in, out));
-    double reach = w->it->width / 2 / fmax(point_dot(along, in), .5);
+    double reach = w->width / 2 / fmax(point_dot(along, in), .5);
     return (point){-along.y * reach, along.x * reach};
 }
 
@@ -73,7 +74,7 @@ static bool add_segment(widener *w, const track *t, long k)
     bool is_first = k == 0 && !t->closed, is_last = k == last && !t->closed;
     point in = is_first ? d : unit(at(t, k - 1), a), out = is_last ? d : unit(b, at(t, k + 2));
     point left_a = side(w, is_mitred(in, d) ? in : d, d), left_b = side(w, d, is_mitred(d, out) ? out : d);
-    double cap = w->it->cap == LINE_CAP_SQUARE ? w->it->width / 2 : 0;
+    double cap = w->it->cap == LINE_CAP_SQUARE ? w->width / 2 : 0;
     bool is_round = w->it->cap == LINE_CAP_ROUND;
     if (is_first)
         a = point_sub(a, point_scale(d, cap));
@@ -94,9 +95,9 @@ static bool add_track(widener *w, const track *t)
     return ok;
 }
 
-bool plb_wide_outline(const item *it, path *out, error *err)
+bool plb_wide_outline(const item *it, double width, path *out, error *err)
 {
-    widener w = {it, out, err};
+    widener w = {it, width, out, err};
     track_list lines = {0};
     bool ok = plb_plan_flatten(&it->path, false, &lines, err);
     for (size_t i = 0; ok && i < lines.tracks.n; i++) {

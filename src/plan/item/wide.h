@@ -8,9 +8,9 @@
 #include "plan/plan.h"
 #include "plan/track.h"
 
-/* Appends the area of the line `it`, its width and caps counted, its dashes not, to `out`: by the nonzero rule. False
+/* Appends the area of the line `it` as one of `width` mm, its caps counted, its dashes not, to `out`: by the nonzero rule. False
  * and `err` when out of memory. */
-bool plb_wide_outline(const item *it, path *out, error *err);
+bool plb_wide_outline(const item *it, double width, path *out, error *err);
 
 /* parallel_strokes.c: appends the passes of the track `t` of the wide line `it` to `out`: side by side, closer the darker its paint is.
  * False and `err` when out of memory. */

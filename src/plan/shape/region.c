@@ -234,9 +234,19 @@ bool plb_region_contains(const region *r, point p, double margin)
     return is_inside(r, p) || is_near_edge(r, p, margin);
 }
 
+/* Whether all that lies `margin` from p is inside. Edges between parts that overlap bound nothing: they do not count. */
+static bool is_surrounded(const region *r, point p, double margin)
+{
+    static const point ways[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {.7071, .7071}, {-.7071, .7071}, {-.7071, -.7071}, {.7071, -.7071}};
+    for (size_t i = 0; i < sizeof ways / sizeof *ways; i++)
+        if (!is_inside(r, point_add(p, point_scale(ways[i], margin))))
+            return false;
+    return true;
+}
+
 bool plb_region_covers(const region *r, point p, double margin)
 {
-    return is_inside(r, p) && !is_near_edge(r, p, margin);
+    return is_inside(r, p) && (!is_near_edge(r, p, margin) || is_surrounded(r, p, margin));
 }
 
 double plb_region_work(const region *r, point from, point to)
@@ -255,6 +265,22 @@ static bool meets(region_edge e, point from, point d, double *at)
         return false;
     *at = t / det;
     return true;
+}
+
+/* An edge that the segment runs along, no farther from it than this (mm), meets it from one of its ends to the other. */
+#define ALONG_MM 0.05
+
+static bool runs_along(edge e, point from, point d)
+{
+    double reach = ALONG_MM * plb_point_length(d);
+    return fabs(point_cross(point_sub(e.a, from), d)) <= reach && fabs(point_cross(point_sub(e.b, from), d)) <= reach;
+}
+
+/* Adds the parameter of the place nearest to `p`, where that lies within the segment. */
+static bool add_beside(point p, point from, point d, crossings *at)
+{
+    double t = point_dot(point_sub(p, from), d) / point_dot(d, d);
+    return !(t > 0 && t < 1) || array_push(at, t);
 }
 
 /* An edge is listed in several bands: it counts in the first that the segment passes, too. */
@@ -276,6 +302,8 @@ bool plb_region_cross(const region *r, point from, point to, crossings *at)
         for (size_t i = r->first[k]; i < r->first[k + 1]; i++) {
             region_edge e = r->edges.v[r->listed[i]];
             if (meets(e, from, d, &t) && is_first_band(r, e, first, k) && !array_push(at, t))
+                return false;
+            if (runs_along(e, from, d) && is_first_band(r, e, first, k) && !(add_beside(e.a, from, d, at) && add_beside(e.b, from, d, at)))
                 return false;
         }
     return true;

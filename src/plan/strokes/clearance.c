@@ -141,12 +141,18 @@ static bool send_pieces(clearing *c, const stroke *s, point a, point b)
     return true;
 }
 
+/* A touch of the point, as dots are made of: a stop or the dot of an i stands beside letters and stays. */
+static bool is_touch(const stroke *s)
+{
+    return s->corner_first && s->corner_last;
+}
+
 static bool clear_stroke(clearing *c, size_t i)
 {
     const stroke *s = &c->list->strokes.v[i];
     const point *v = c->list->points.v + s->first;
     c->runs.n = 0;
-    if (s->style.kind == STROKE_HATCH && s->n == 2 && c->looks < MAX_CLEARANCE_LOOKS_OF_ALL && !find_runs(c, i, v[0], v[1]))
+    if (s->style.kind == STROKE_HATCH && s->n == 2 && !is_touch(s) && c->looks < MAX_CLEARANCE_LOOKS_OF_ALL && !find_runs(c, i, v[0], v[1]))
         return false;
     return c->runs.n ? send_pieces(c, s, v[0], v[1]) : plb_plan_append(&c->made, s, v, s->n);
 }
