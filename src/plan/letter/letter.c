@@ -24,6 +24,8 @@
 #define LONE_DOT_PENCILS 1.3 /* a dot by itself is lettering up to this size */
 #define MIN_RING_MM 0.07
 #define THICK 2.0            /* the largest disc of a part may be this many strokes wide */
+#define ARROW_CORNERS 12     /* of an arrow that is one polygon, at most */
+#define ARROW_HEAD 1.6       /* the largest disc of such an arrow, in strokes: above; a V about 1.3 */
 #define BAR 5.0              /* a quadrangle this much longer than wide is a line */
 #define DETAIL_PENCILS 0.12  /* what sticks out less than this is not drawn */
 #define NIB_PENCILS 0.5      /* a stroke ends half of this before the tip */
@@ -34,6 +36,7 @@ typedef struct {
     double stem;   /* of the whole fill, mm */
     double height; /* of its tallest part: the shorter side of its bounds, mm */
     bool is_bar;   /* one shape of at most four sides */
+    bool is_alone; /* one part */
     float pressure;
     size_t letters; /* parts that are no dots */
     track_list strokes;
@@ -60,6 +63,7 @@ static void measure(lettering *l, const letter_parts *parts)
         perimeter += p->perimeter;
         l->height = fmax(l->height, fmin(p->bounds.x1 - p->bounds.x0, p->bounds.y1 - p->bounds.y0));
     }
+    l->is_alone = parts->parts.n == 1;
     l->is_bar = parts->parts.n == 1 && parts->parts.v[0].outline.points.n <= 4;
     l->stem = perimeter > 0 ? 2 * area / perimeter : 0;
 }
@@ -173,6 +177,13 @@ static bool fill_raster(raster *r, const letter_part *part, double *stem, error 
     return true;
 }
 
+/* A polygon of few corners by itself with one place much broader than the rest: an arrow and its head. Letters of straight
+ * sides are nowhere so much broader, not even where the strokes of a V meet. */
+static bool is_arrow(const lettering *l, const letter_part *part, double radius, double stem)
+{
+    return l->is_alone && part->outline.starts.n == 1 && part->outline.points.n <= ARROW_CORNERS && 2 * radius > ARROW_HEAD * stem;
+}
+
 static bool draw_part(lettering *l, const letter_part *part, bool *taken, error *err)
 {
     raster r;
@@ -186,7 +197,7 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
         return false;
     double radius = r.largest * r.pixel;
     bool ok = true, compact = radius > COMPACT * stem && part->perimeter < MAX_ROUNDNESS * 2 * PLB_PI * stem; /* P^2/A = 2 P / stem */
-    *taken = r.width && is_thin(l, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->options->pencil_width);
+    *taken = r.width && is_thin(l, stem) && !is_arrow(l, part, radius, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->options->pencil_width);
     if (*taken && compact)
         *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->options->pencil_width);
     size_t before = l->strokes.tracks.n;
