@@ -270,7 +270,7 @@ static bool meets(region_edge e, point from, point d, double *at)
 /* An edge that the segment runs along, no farther from it than this (mm), meets it from one of its ends to the other. */
 #define ALONG_MM 0.05
 
-static bool runs_along(edge e, point from, point d)
+static bool runs_along(region_edge e, point from, point d)
 {
     double reach = ALONG_MM * plb_point_length(d);
     return fabs(point_cross(point_sub(e.a, from), d)) <= reach && fabs(point_cross(point_sub(e.b, from), d)) <= reach;
