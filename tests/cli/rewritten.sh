@@ -75,7 +75,7 @@ shows "a mask that lets nothing through" "<mask id='m'><rect width='200' height=
 inside() {
     svg one "$2"
     "$PLUMBAGO" -q --fill=none --dump=strokes -o one.strokes one.svg 2>err
-    is "$1" "$(awk -v b="$3" 'BEGIN { split(b, v, ",") } /^stroke / { for (i = 6; i < NF; i += 2) if ($i < v[1] - .06 || $i > v[3] + .06 || $(i + 1) < v[2] - .06 || $(i + 1) > v[4] + .06) bad++; n++ } END { print n > 0 && !bad ? "inside" : n " strokes, " bad + 0 " points outside" }' one.strokes)" inside
+    is "$1" "$(awk -v b="$3" 'BEGIN { split(b, v, ",") } /^stroke / { for (i = 7; i < NF; i += 2) if ($i < v[1] - .06 || $i > v[3] + .06 || $(i + 1) < v[2] - .06 || $(i + 1) > v[4] + .06) bad++; n++ } END { print ((n > 0 && !bad) ? "inside" : n + 0 " strokes, " bad + 0 " points outside") }' one.strokes)" inside
 }
 inside "a mask of a white shape clips" "<mask id='m'><rect x='40' y='0' width='40' height='99' fill='#fff'/></mask><path d='M0 50h200' mask='url(#m)' $line/>" 20,0,40,49.5
 inside "a black shape in a mask is cut out" \

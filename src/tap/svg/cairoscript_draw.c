@@ -81,6 +81,8 @@ static bool op_set_operator(script_state *s)
         c->draws = code != CONST_NO_INK;
     if (c)
         c->blends = code == CONST_BLEND;
+    if (c)
+        c->multiplies = code == CONST_MULTIPLY;
     return c != NULL;
 }
 

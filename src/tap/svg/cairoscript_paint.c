@@ -109,6 +109,16 @@ static paint source_paint(const script_pattern *p)
     return colour;
 }
 
+/* The paint as the operator applies it. To multiply by a colour is to lay a glass over what is there, as dark and as strongly
+ * coloured as can be: over white it looks like the colour, and it hides nothing. */
+static paint as_applied(const script_context *c, paint p)
+{
+    double lightest = fmin(p.red, fmin(p.green, p.blue)), opaque = 1 - lightest;
+    if (!c->multiplies || p.kind != PAINT_SOLID || !(opaque > 0))
+        return c->multiplies && p.kind == PAINT_SOLID ? (paint){PAINT_SOLID, 1, 1, 1, 0} : p;
+    return (paint){PAINT_SOLID, (p.red - lightest) / opaque, (p.green - lightest) / opaque, (p.blue - lightest) / opaque, p.alpha * opaque};
+}
+
 /* The source's gradient, with its place on the surface's list. 0: none, or one that is squeezed flat. */
 static bool add_source(script_state *s, script_surface *f, const script_pattern *p, const path *fills, unsigned *index)
 {
@@ -138,7 +148,7 @@ static void drop_last_move(path *p)
 /* The context's path, borrowed and in the surface's units, and its paint as an item of the target's list. */
 static bool start_item(script_state *s, const script_context *c, item_kind kind, item *it)
 {
-    *it = (item){.kind = kind, .path = c->path, .paint = source_paint(c->source), .clip = c->clip};
+    *it = (item){.kind = kind, .path = c->path, .paint = as_applied(c, source_paint(c->source)), .clip = c->clip};
     drop_last_move(&it->path);
     return add_source(s, c->target, c->source, &c->path, &it->gradient);
 }
@@ -214,6 +224,7 @@ static bool splice(script_state *s, const script_context *c, int outer, double a
             break;
         it.clip = it.clip == NO_CLIP ? outer : where[it.clip];
         it.paint.alpha *= alpha;
+        it.paint = as_applied(c, it.paint);
         ok = splice_gradient(s, to, group, out, alpha, &it) && add_item(s, to, &it, out);
         array_free(&it.dash);
     }

@@ -52,6 +52,7 @@ typedef struct {
     int clip;               /* in target->list */
     bool even_odd;
     bool draws, blends;     /* the operator adds ink; it mixes with what is there as pencils do not */
+    bool multiplies;        /* it only darkens what is there */
     line_cap cap;
     double width, dash_offset;
     ARRAY(double) dash;
@@ -81,7 +82,7 @@ typedef struct {
 } script_value;
 
 /* What a //CONSTANT means to the operator that takes it. */
-enum { CONST_OTHER, CONST_BUTT, CONST_ROUND, CONST_SQUARE, CONST_EVEN_ODD, CONST_EXTEND_NONE, CONST_EXTEND_PAD, CONST_EXTEND_REFLECT, CONST_NO_INK, CONST_BLEND };
+enum { CONST_OTHER, CONST_BUTT, CONST_ROUND, CONST_SQUARE, CONST_EVEN_ODD, CONST_EXTEND_NONE, CONST_EXTEND_PAD, CONST_EXTEND_REFLECT, CONST_NO_INK, CONST_BLEND, CONST_MULTIPLY };
 
 /* What a /NAME means; /s12 is 12. */
 #define NAME_TARGET (-1)

@@ -114,7 +114,7 @@ static bool read_space(const char *at, const char *end, colour *c)
     double v[3] = {value_of(&a, 0, 1), value_of(&a, 1, 1), value_of(&a, 2, 1)};
     if (!strncmp(at, "xyz", 3))
         *c = from_xyz65(v[0], v[1], v[2], alpha_of(&a));
-    else if (!strncmp(at, "srgb-linear", length))
+    else if (length == 11 && !strncmp(at, "srgb-linear", length))
         *c = from_linear(v[0], v[1], v[2], alpha_of(&a));
     else
         *c = (colour){{v[0], v[1], v[2]}, alpha_of(&a)};

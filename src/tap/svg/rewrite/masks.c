@@ -14,6 +14,7 @@
 #define MAX_SHAPES 64       /* of a mask that becomes clip paths: each black one is a group around the others */
 #define NEARLY 0.02         /* a luminance this near to black or white is; chosen by eye */
 #define FAR_AWAY 1e6        /* px: outside every drawing */
+#define LINE_BREADTH 1.0    /* px: what a line is taken to cover at least */
 #define FAINTEST 0.02       /* what is let through in a smaller part leaves no mark; chosen by eye */
 
 typedef struct {
@@ -193,6 +194,8 @@ static double mean_of(rewriting *r, const xmlNode *n, const xmlNode *mask)
     double mean[4];
     if (plb_box_is_empty(view))
         view = plb_outline_viewport(n);
+    if (!in_box) /* a line has no breadth of its own */
+        view = (box){view.x0 - LINE_BREADTH / 2, view.y0 - LINE_BREADTH / 2, view.x1 + LINE_BREADTH / 2, view.y1 + LINE_BREADTH / 2};
     bool known = plb_render_mean(r, mask, view, mean);
     g_free(units);
     g_free(type);
