@@ -241,7 +241,7 @@ static void rewrite_switch(rewriting *r, xmlNode *n)
     plb_node_remove(first, "requiredFeatures");
     if (!plb_node_is(first, "foreignObject")) {
         drop_after(first);
-    } else if (second && holds_text(second)) {
+    } else if (second && (holds_text(second) || !plb_node_is(second, "image"))) {
         drop_after(second);
         plb_node_drop(first);
         plb_node_remove(second, "requiredFeatures");
