@@ -7,7 +7,7 @@
 #include <math.h>
 #include <string.h>
 
-#define MAX_NESTING 8 /* of color-mix in color-mix */
+#define MAX_NESTING 8 /* of mixtures in mixtures */
 
 /* Red, green, blue in sRGB's curve, 0 to 1 (beyond: out of gamut), and alpha. */
 typedef struct {
@@ -23,7 +23,7 @@ typedef struct {
 
 static bool read_colour(const char *text, size_t length, int depth, colour *c);
 
-/* ---- colour spaces (CSS Color 4, sections 10 to 15 and its sample code) ------------------------------------- */
+/* ---- colour spaces (the fourth colour module of CSS, sections 10 to 15 and its sample code) ------------------------------------- */
 
 static double encode(double v) { return v <= 0.0031308 ? 12.92 * v : 1.055 * pow(v, 1 / 2.4) - 0.055; }
 
@@ -103,7 +103,7 @@ static colour polar(colour (*from)(double, double, double, double), double l, do
     return from(l, chroma * cos(h), chroma * sin(h), alpha);
 }
 
-/* color(SPACE R G B / A): wide gamuts are taken as sRGB, whose greys they share. */
+/* A colour by the name of its space: wide gamuts are taken as sRGB, whose greys they share. */
 static bool read_space(const char *at, const char *end, colour *c)
 {
     at += strspn(at, " \t\r\n");
@@ -180,7 +180,7 @@ static bool read_part(const char *at, const char *end, int depth, colour *c, dou
     return ok;
 }
 
-/* color-mix(in SPACE, A p%, B q%): mixed as sRGB, premultiplied (CSS Color 5, section 3). */
+/* A mixture of two colours in the shares p and q, as sRGB, premultiplied (fifth colour module of CSS, section 3). */
 static bool read_mix(const char *at, const char *end, int depth, colour *c)
 {
     const char *first = end_of_argument(at, end), *second = first < end ? end_of_argument(first + 1, end) : end;

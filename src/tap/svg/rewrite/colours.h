@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Colours that are newer than librsvg 2.54 (CSS Color 4 and 5): oklch, oklab, lch, lab, hwb, color(), color-mix and
+ * Colours that are newer than librsvg 2.54 (CSS colour modules 4 and 5): oklch, oklab, lch, lab, hwb, color(), color-mix and
  * light-dark become rgba().
  */
 #ifndef PLB_TAP_SVG_REWRITE_COLOURS_H
