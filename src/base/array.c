@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <sys/mman.h>
 
-/* The test build for failing allocations: the test says which of them succeeds. */
+/* In the test build for failing allocations the test says which of them succeed. */
 #ifdef PLB_TEST_ALLOCATIONS
 __attribute__((weak)) bool plb_test_may_allocate(void);
 #define MAY_ALLOCATE (!plb_test_may_allocate || plb_test_may_allocate())
@@ -37,7 +37,7 @@ void *plb_new(size_t n, size_t size)
     return MAY_ALLOCATE ? calloc(n ? n : 1, size) : NULL;
 }
 
-/* Of the processors at hand; where they are larger, the advice is for naught. */
+/* The size of a large page on x86-64 and, with pages of 4 KiB, on ARM64. Where large pages are larger, the advice has no effect. */
 #define LARGE_PAGE ((uintptr_t)2 << 20)
 
 void *plb_new_large(size_t n, size_t size)
@@ -46,7 +46,7 @@ void *plb_new_large(size_t n, size_t size)
 #ifdef MADV_HUGEPAGE
     uintptr_t first = ((uintptr_t)p + LARGE_PAGE - 1) & ~(LARGE_PAGE - 1), end = ((uintptr_t)p + n * size) & ~(LARGE_PAGE - 1);
     if (p && first < end)
-        (void)madvise((void *)first, end - first, MADV_HUGEPAGE); /* else small ones */
+        (void)madvise((void *)first, end - first, MADV_HUGEPAGE); /* where the system refuses, the pages are small */
 #endif
     return p;
 }

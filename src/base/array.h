@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Growing arrays and checked allocation. Every size is checked for overflow before it reaches malloc.
+ * This header has arrays that grow and checked allocation. Every size is checked for overflow before it reaches malloc.
  *
  *     ARRAY(point) dots = {0};
  *     if (!array_push(&dots, p)) return plb_fail_memory(err);      // false: out of memory, array unchanged
@@ -19,15 +19,16 @@
         size_t n, capacity; \
     }
 
-/* Room for `extra` more elements; false when out of memory. */
+/* Makes room for `extra` more elements; false when out of memory. */
 #define array_reserve(a, extra) plb_array_grow((void **)&(a)->v, (a)->n, &(a)->capacity, (extra), sizeof *(a)->v)
 #define array_push(a, item) (array_reserve((a), 1) ? ((a)->v[(a)->n++] = (item), true) : false)
 #define array_free(a) (plb_free((a)->v), (a)->v = NULL, (a)->n = (a)->capacity = 0)
 
 bool plb_array_grow(void **v, size_t n, size_t *capacity, size_t extra, size_t size);
-/* Zeroed room for `n` elements of `size` bytes, owned by the caller; NULL on overflow or when out of memory. */
+/* Returns zeroed memory for `n` elements of `size` bytes, owned by the caller; NULL on overflow or when out of memory. */
 void *plb_new(size_t n, size_t size);
-/* The same, asked of the system in large pages where it has them: for what is used all over, as one likes. */
+/* Does the same in large pages of memory where the system has them: for large tables that are read in no order, which
+ * in small pages miss the processor's cache of addresses at almost every look. */
 void *plb_new_large(size_t n, size_t size);
 void plb_free(void *p);
 

@@ -3,7 +3,7 @@
 
 #include <stdio.h>
 
-/* Names of files may hold any character: a text is one line all the same. */
+/* Replaces control characters: a file's name may hold any, and the text stays one line. */
 static void keep_to_one_line(char *text)
 {
     for (; *text; text++)

@@ -30,11 +30,11 @@ typedef struct {
 /* Fills `err` unless it already holds an error (or is NULL); always returns false. */
 bool plb_fail(error *err, error_kind kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool plb_fail_v(error *err, error_kind kind, const char *format, va_list args) __attribute__((format(printf, 3, 0)));
-/* The same for a failed allocation. */
+/* Does the same for a failed allocation. */
 bool plb_fail_memory(error *err);
 void plb_error_clear(error *err);
 
-/* Where warnings and remarks go: one call per line of text. `say` may be NULL: silence. */
+/* A log_sink receives warnings and remarks, in one call for each line of text. Where `say` is NULL, nobody hears them. */
 typedef enum { MESSAGE_WARNING, MESSAGE_DETAIL } message_level;
 typedef struct {
     void (*say)(void *closure, message_level level, const char *text);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Eight whole numbers of 16 bits in one register: the compiler's vectors, whose operators work lane by lane, and the few
- * steps that it does not find by itself. Elsewhere, and in builds that do not optimise, these are loops: the same bits.
+ * This header has eight whole numbers of 16 bits in one register: the compiler's vectors, whose operators work lane by lane, and
+ * the few steps that the compiler does not find by itself. Other processors, and builds that do not optimise, get loops
+ * with the same bits.
  */
 #ifndef PLB_BASE_SIMD16_H
 #define PLB_BASE_SIMD16_H
@@ -36,7 +37,7 @@ static inline lanes simd16_all(int16_t v)
     return (lanes){v, v, v, v, v, v, v, v};
 }
 
-/* The high halves of the products. */
+/* Returns the high halves of the products. */
 static inline lanes simd16_high(lanes a, lanes b)
 {
 #if SIMD16_NATIVE
@@ -60,7 +61,7 @@ static inline lanes simd16_within(lanes v, int16_t low, int16_t high)
 #endif
 }
 
-/* Adds to numbers without a sign; sums beyond are cut to 65535. */
+/* Adds unsigned numbers; sums beyond 65535 become 65535. */
 static inline void simd16_add_within(uint16_t *to, const uint16_t *more)
 {
 #if SIMD16_NATIVE
@@ -72,7 +73,7 @@ static inline void simd16_add_within(uint16_t *to, const uint16_t *more)
 #endif
 }
 
-/* Bytes, each times 256. */
+/* Returns eight bytes, each times 256. */
 static inline lanes simd16_of_bytes(const int8_t *from)
 {
 #if SIMD16_NATIVE
@@ -85,7 +86,7 @@ static inline lanes simd16_of_bytes(const int8_t *from)
 #endif
 }
 
-/* As bytes with a sign: those beyond are cut to -128 and 127. */
+/* Turns numbers into signed bytes; those beyond -128 and 127 become -128 and 127. */
 static inline void simd16_put_bytes(int8_t *to, lanes v)
 {
 #if SIMD16_NATIVE
@@ -97,7 +98,7 @@ static inline void simd16_put_bytes(int8_t *to, lanes v)
 #endif
 }
 
-/* As bytes without: those beyond are cut to 0 and 255. */
+/* Turns numbers into unsigned bytes; those beyond 0 and 255 become 0 and 255. */
 static inline void simd16_put_unsigned(uint8_t *to, lanes v)
 {
 #if SIMD16_NATIVE

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * For qsort.
+ * This header has comparisons for qsort.
  */
 #ifndef PLB_BASE_SORT_H
 #define PLB_BASE_SORT_H
 
-/* Doubles, rising. */
+/* Orders doubles from the smallest to the largest. */
 static inline int plb_compare_doubles(const void *a, const void *b)
 {
     double x = *(const double *)a, y = *(const double *)b;

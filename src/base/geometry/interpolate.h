@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Values between those of a table.
+ * This header interpolates between the values of a table.
  */
 #ifndef PLB_BASE_GEOMETRY_INTERPOLATE_H
 #define PLB_BASE_GEOMETRY_INTERPOLATE_H
@@ -10,7 +10,7 @@ static inline double clamp(double x, double low, double high)
     return x >= low ? x <= high ? x : high : low; /* NaN gives low */
 }
 
-/* `v` at `x` between its n >= 2 values at first + k * step; level beyond the ends. */
+/* Returns the value at `x` of the table `v`, whose n >= 2 values lie at first + k * step; beyond its ends the table is level. */
 double plb_interpolate(const float v[], int n, double first, double step, double x);
 
 #endif

@@ -46,7 +46,7 @@ bool plb_path_close(path *p)
     return append(p, PATH_CLOSE, NULL);
 }
 
-/* One Bézier curve per quarter turn at most, controls at 4/3 tan(angle/4) of the radius: the standard
+/* Appends a Bézier curve for each quarter turn or less, with controls at 4/3 tan(angle/4) of the radius: the standard
  * approximation (Goldapp 1991), whose radial error at a quarter turn is 2.7e-4. */
 bool plb_path_arc(path *p, point centre, double radius, double from, double to, bool clockwise, matrix ctm)
 {
