@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the harnesses share. Each file fuzz_NAME.c defines LLVMFuzzerTestOneInput: linked with libFuzzer it is a fuzzer,
+ * The harnesses share this header. Each file fuzz_NAME.c defines LLVMFuzzerTestOneInput: linked with libFuzzer it is a fuzzer,
  * linked with replay.c it draws the kept inputs of corpus-NAME once, with any compiler.
  */
 #ifndef PLB_TESTS_FUZZ_H
@@ -12,7 +12,7 @@
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size);
 
-/* What must hold for every input. */
+/* Stops the program where something does not hold that must hold for every input. */
 #define fuzz_require(truth) ((truth) ? (void)0 : abort())
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * PostScript files of this folder, NAME.ps, give the display lists written beside them, NAME.list.
- * With ACCEPT set in the environment the lists are written anew: look at the difference before keeping it.
+ * With ACCEPT set in the environment the lists are written again: look at the difference before keeping it.
  */
 #include "check.h"
 #include "tap/ps/postscript.h"

@@ -98,7 +98,7 @@ static double least_jerk(double t)
     return t * t * t * (10 - 15 * t + 6 * t * t);
 }
 
-/* The angle of joint k at t. */
+/* Returns the angle of joint k at t. */
 static double angle(const joints *from, const joints *to, const double c[UNKNOWNS], int k, double t)
 {
     double q = from->q[k] + (to->q[k] - from->q[k]) * least_jerk(t);

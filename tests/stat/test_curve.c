@@ -11,7 +11,7 @@
 
 /* ---- the movement (path_via.c) ---- */
 
-/* The k-th derivative by time at the share t of a piece. */
+/* Returns the k-th derivative by time at the share t of a piece. */
 static double derivative(const double c[6], double duration, int k, double t)
 {
     double sum = 0;
@@ -52,7 +52,7 @@ static void derivatives_up_to_the_fourth_are_continuous(void)
     CHECK(v[0].velocity.x == 0 && v[0].acceleration.y == 0 && v[8].velocity.y == 0 && v[8].acceleration.x == 0);
 }
 
-/* The integral of squared jerk over all pieces. */
+/* Returns the integral of squared jerk over all pieces. */
 static double cost(const via *v, size_t n)
 {
     double sum = 0;

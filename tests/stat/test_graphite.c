@@ -71,7 +71,7 @@ static void the_hand_wavers_at_every_wavelength(void)
     CHECK(plb_hand(13, false, 7, &o).waves == 6 && plb_hand(1, false, 7, &o).waves == 1 && plb_hand(1, true, 7, &o).waves == 2);
 }
 
-/* What capture measures of a hand is what it draws with: of lines that stray by a share of the free hand's, that share. */
+/* Capture measures the hand with which lines were drawn: where they stray by a share of the free hand's way, that share. */
 static void a_hand_is_measured_against_the_free_one(void)
 {
     enum { LINES = 400, PX = 1000 };
@@ -302,7 +302,7 @@ static void no_two_strokes_are_alike(void)
     clean(&s);
 }
 
-/* A row of samples, whatever its length and direction, is its samples one by one. */
+/* A row of samples, whatever its length and direction, equals the same samples taken singly. */
 static void rows_and_single_samples_agree(void)
 {
     enum { MOST = 200 };
@@ -399,8 +399,8 @@ static void coarse_pixels_are_means_of_fine_ones(void)
 
 /* ---- pressure ---- */
 
-/* Of lines of one pressure: mean darkness on the axis, width at half depth, spread of darkness on the axis relative to its
- * mean. */
+/* The figures describe lines of one pressure: mean darkness on the axis, width at half depth, spread of darkness on the axis
+ * relative to its mean. */
 typedef struct {
     double dark, width, spread;
 } pressed;
@@ -460,7 +460,7 @@ static void lettering_has_a_fine_point(void)
     clean(&s);
 }
 
-/* Along a line whose pressure changes the darkness does. */
+/* Where the pressure changes along a line, so does the darkness. */
 static void pressure_changes_along_the_line(void)
 {
     setup s = prepare();
@@ -488,8 +488,8 @@ static double sample_at(grain *g, double along, double across, double x, double 
     return dark;
 }
 
-/* What two strokes that go over the same place of the paper have in common there, and one stroke with its own next column:
- * as captured, whatever the paper has of it. */
+/* Correlates two strokes that go over the same place of the paper there, and one stroke with its own next column, which is
+ * as captured, however large the paper's part is. */
 static void correlate_on_paper(paper_kind kind, double *between, double *along)
 {
     enum { STROKES = 40, COLUMNS = 200 };

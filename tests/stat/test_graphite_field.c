@@ -86,7 +86,7 @@ static void vectors_and_numbers_one_by_one_agree(void)
     }
 }
 
-/* What the profile says of places is what strokes show there: spread and correlation along. */
+/* Strokes show at each place the spread and the correlation along that the profile gives for it. */
 static void the_grain_depends_on_the_place(void)
 {
     setup s = prepare_by_place();

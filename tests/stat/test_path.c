@@ -111,7 +111,7 @@ static void squiggle_zero_is_ruler_straight(void)
 
 static const arm_model *parallel_arm;
 
-/* Deviation of a path from its chord at 64 places along it. */
+/* Measures how far a path deviates from its chord at 64 places along it. */
 static void deviations(const stroke_list *list, const stroke *s, uint64_t seed, double out[64])
 {
     stroke_options o = options_for(seed);
@@ -338,7 +338,7 @@ static void lines_differ_by_direction(void)
     array_free(&l.path);
 }
 
-/* Accurate first, deviating after the middle. */
+/* A path is accurate first and deviates after the middle. */
 static void the_second_half_strays_more(void)
 {
     double first = 0, second = 0;

@@ -91,7 +91,7 @@ static void rows_beside_are_uniform(void)
     clean(&s);
 }
 
-/* How many neighbouring pairs the matrix does not know. */
+/* Counts the neighbouring pairs that the matrix does not know. */
 static long unknown_pairs(const strip *s, const profile *p)
 {
     long n = 0;

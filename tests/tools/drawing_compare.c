@@ -5,7 +5,7 @@
  *
  *     recall R precision P tone T print N areas N drawing N
  *
- * What the print shows is told apart first. Its ground is what is left when features thinner than 9 pixels are taken
+ * The program first tells apart what the print shows. Its ground is what is left when features thinner than 9 pixels are taken
  * away (a grey closing); if most of the picture's border has one grey of the ground, that is its paper,
  * which a drawing leaves white. Lines are where the print is darker than its ground; areas are where the ground is darker than
  * the paper; their edges are where the ground changes.
@@ -40,7 +40,7 @@ static size_t index_of(picture p, int x, int y)
     return (size_t)y * (size_t)p.width + (size_t)x;
 }
 
-/* The image on a page of that size. */
+/* Puts the image on a page of that size. */
 static picture fit(grey_image image, int width, int height)
 {
     picture p = {width, height, room((size_t)width * (size_t)height, 1)};
@@ -50,7 +50,7 @@ static picture fit(grey_image image, int width, int height)
     return p;
 }
 
-/* Of the pixels within REACH along one axis the lightest, or the darkest. */
+/* Returns, for each pixel, the lightest or the darkest one within REACH along one axis. */
 static picture extreme(picture from, bool across, bool lightest)
 {
     picture to = {from.width, from.height, room((size_t)from.width * (size_t)from.height, 1)};
@@ -81,7 +81,7 @@ static picture ground_of(picture print)
     return p;
 }
 
-/* The grey that most of the border has, or white. */
+/* Returns the grey that most of the border has, or white. */
 static int paper_of(picture ground)
 {
     long count[256] = {0}, whole = 0;
@@ -102,7 +102,7 @@ static void leave_white(picture p, int paper)
             p.grey[i] = 255;
 }
 
-/* At the dark side of a step of the ground. */
+/* Tells whether the pixel is on the dark side of a step of the ground. */
 static bool is_edge(picture ground, int x, int y)
 {
     static const int dx[] = {1, -1, 0, 0}, dy[] = {0, 0, 1, -1};

@@ -34,7 +34,7 @@ static void print_texts(png_structp png, png_infop info)
         printf("text %s: %s\n", text[i].key, text[i].text);
 }
 
-/* Every row, so that a cut or damaged file is noticed. */
+/* Reads every row, so that a cut or damaged file is noticed. */
 static void read_rows(png_structp png, png_infop info)
 {
     int passes = png_set_interlace_handling(png);

@@ -205,7 +205,7 @@ static void stack_operators(void)
     plb_list_free(&list);
 }
 
-/* However the text is cut up, the list is the same. */
+/* The list is the same however the text is cut up. */
 static void pieces_of_any_size(void)
 {
     static const char text[] = HEAD "n 123.456 7 m 8 9 10 11 12.125 -13 c h\n0 0.5 1 rgb set-source\nstroke+ [1 2] 0 set-dash stroke+\npop\n";

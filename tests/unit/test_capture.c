@@ -32,7 +32,7 @@ static uint8_t *at(const picture *p, int x, int y)
     return &p->grey[y * p->width + x];
 }
 
-/* The kinds of PNG that a scanner or a program may write. */
+/* Capture reads the kinds of PNG that a scanner or a program may write. */
 typedef enum { PNG_GREY, PNG_GREY16, PNG_RGB, PNG_RGB16, PNG_RGBA, PNG_GREY_ALPHA, PNG_PALETTE, PNG_INTERLACED } png_kind;
 
 static const struct {
@@ -308,7 +308,7 @@ static void a_printed_grid_is_left_out(void)
     plb_profile_release(f);
 }
 
-/* Of several marks the line with the most darkness is the one. */
+/* Among several marks capture takes the line with the most darkness. */
 static void the_line_is_found_among_marks(void)
 {
     picture p = paper(700, 400, 250);
@@ -510,7 +510,7 @@ static void wrong_options(void)
     }
 }
 
-/* What was captured is what a file of it holds. */
+/* A file of the profile holds what was captured. */
 static void captured_is_saved(void)
 {
     profile *p = capture_picture(slanting_line(500, 5, 2.6, 1)), *q = NULL;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a careful hand minds: words stay clear of hatching, wiggles finer than the point are smoothed, lines that others end
- * upon are met.
+ * A careful hand keeps words clear of hatching, smooths wiggles finer than the point, and meets the lines upon which it ends
+ * others.
  */
 #include "check.h"
 

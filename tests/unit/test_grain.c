@@ -118,7 +118,7 @@ static void linear_equations(void)
     CHECK(!plb_solve(singular, c, 2));
 }
 
-/* Published values of the normal distribution function. */
+/* The normal distribution function has its published values. */
 static void normal_distribution(void)
 {
     CHECK_RANGE(plb_normal_share(0), 0.5, 0.5);
@@ -206,7 +206,7 @@ static void smooth_and_broken_columns(void)
     CHECK_RANGE(g.chain_correlation, -0.73, -0.3); /* they alternate */
 }
 
-/* Rows that share half their innovations with the next one. */
+/* Makes rows that share half their innovations with the next one. */
 static void rows_that_go_together(void)
 {
     wanted w = {.n = 6000, .depth = 90, .width = 7, .grain = 0.2, .high = 0.3, .low = 0.3, .across = 0.5, .stream = 3};
@@ -258,7 +258,7 @@ typedef struct {
     int calls;
 } sampling;
 
-/* Lines without grain, wider or paler than the profile has it. */
+/* Makes lines without grain that are wider or paler than the profile's. */
 static bool sample(void *closure, const profile *p, int lines, int width, int height, uint8_t *grey, error *err)
 {
     sampling *how = closure;
@@ -274,7 +274,7 @@ static bool sample(void *closure, const profile *p, int lines, int width, int he
     return true;
 }
 
-/* What lines drawn are too wide or too pale is made up for: four fifths of it. */
+/* Where drawn lines come out too wide or too pale, the profile makes up for four fifths of that. */
 static void corrected_by_what_is_drawn(void)
 {
     wanted w = {.n = 3000, .depth = 90, .width = 6, .grain = 0.2, .high = 0.5, .low = 0.5, .stream = 31};
@@ -397,7 +397,7 @@ static void a_profile_without_it(void)
     plb_profile_release(q);
 }
 
-/* Of a size that an earlier version wrote: the message says what to do. */
+/* Where the grain has a size that an earlier version wrote, the message says what to do. */
 static void grain_of_another_version(void)
 {
     size_t at;
@@ -453,7 +453,7 @@ static void numbers_out_of_bounds(void)
     plb_free(b.v);
 }
 
-/* Numbers that are within their bounds but do not fit together. */
+/* Numbers within their bounds that do not fit together are refused. */
 static void numbers_that_do_not_fit(void)
 {
     profile *p = plb_profile_read("HB", NULL);
@@ -466,7 +466,7 @@ static void numbers_that_do_not_fit(void)
     plb_profile_release(p);
 }
 
-/* The section shorter or longer than it is. */
+/* A section that claims to be shorter or longer than it is, is refused. */
 static void wrong_lengths(void)
 {
     size_t at;

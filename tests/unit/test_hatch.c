@@ -72,7 +72,7 @@ static void rectangle(item *it, double x0, double y0, double x1, double y1)
     polygon(it, (const double[]){x0, y0, x1, y0, x1, y1, x0, y1}, 4);
 }
 
-/* Hatches on a page of 100 x 100 mm that has nothing else. */
+/* Hatches a fill on a page of 100 x 100 mm that has nothing else. */
 static tally hatch(item *it, uint64_t seed, bool *outline)
 {
     plan_options how = plb_plan_options_default();

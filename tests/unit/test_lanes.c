@@ -8,7 +8,7 @@
 
 #define TRIES 2000
 
-/* Number k of a sequence in which the extremes are frequent. */
+/* Returns number k of a sequence in which the extremes are frequent. */
 static int16_t number(uint64_t k)
 {
     static const int16_t extremes[] = {INT16_MIN, INT16_MIN + 1, -1, 0, 1, INT16_MAX - 1, INT16_MAX, 255};

@@ -17,7 +17,7 @@ static plb_options *options_at(double dpi)
     return o;
 }
 
-/* The smallest byte of a surface's rows. */
+/* Returns the smallest byte of a surface's rows. */
 static int darkest_of(cairo_surface_t *s)
 {
     int darkest = 255, stride = cairo_image_surface_get_stride(s);

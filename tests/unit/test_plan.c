@@ -277,7 +277,7 @@ static void a_filled_and_stroked_shape_is_outlined_once(void)
     clean(&s);
 }
 
-/* The stroke that starts at this place. */
+/* Returns the stroke that starts at this place. */
 static const stroke *starting_at(const setup *s, double x, double y)
 {
     for (size_t i = 0; i < s->strokes.strokes.n; i++) {
@@ -326,7 +326,7 @@ static void glass_hides_nothing(void)
     clean(&s);
 }
 
-/* Only the part of an area that its clip leaves hides. */
+/* An area hides only where its clip leaves it. */
 static void clipped_areas_hide_within_their_clip(void)
 {
     setup s = page(100, 100);

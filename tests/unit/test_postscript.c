@@ -36,7 +36,7 @@ static bool said(const char *words)
     return false;
 }
 
-/* The program in a page of 100 by 200 points. */
+/* Runs the program in a page of 100 by 200 points. */
 static bool draw(const char *program)
 {
     char text[8192];

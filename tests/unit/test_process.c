@@ -355,7 +355,7 @@ static void scratch_has_a_total(void)
     CHECK(no_child_left());
 }
 
-/* A folder to write in, where there is one, and still no other. */
+/* A program gets a folder to write in, where one is given, and still no other. */
 static void scratch_is_the_only_place(void)
 {
     scratch s;

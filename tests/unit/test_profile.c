@@ -14,7 +14,7 @@
 
 /* ---- material ---- */
 
-/* A small profile with every field different. */
+/* Makes a small profile with every field different. */
 static profile *make_small(void)
 {
     profile *p = plb_new(1, sizeof *p);

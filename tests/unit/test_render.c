@@ -119,8 +119,8 @@ static bool add(void *closure, const page *band, error *err)
     return plb_picture_add(closure, band, err);
 }
 
-/* Of the page in colour and in grey: graphite is the same grey in both, colours are colours, and what is see-through gives
- * over white what the opaque page is. */
+/* Graphite is the same grey on the page in colour and on the one in grey, colours are colours, and a page without paper, laid over
+ * white, gives the opaque one. */
 static void colours_are_laid(void)
 {
     plb_drawing *d = drawing_for_tests();
