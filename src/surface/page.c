@@ -10,22 +10,22 @@
 #include <math.h>
 #include <string.h>
 
-/* Deposits are natural densities in this unit: 65535 of them are a density of 16, which is darkness to 1e-7. */
+/* Deposits count natural density in this unit: 65535 of them are a density of 16, which leaves 1e-7 of the light. */
 #define DEPOSIT_UNIT (1.0 / 4096)
-/* How much darker than a single stroke's darkest pixels graphite laid over graphite can get, in grey levels: the darkest
+/* Graphite over graphite gets darker than a single stroke's darkest pixels by so many grey levels at the most: the darkest
  * hundredth of solid patches of one scanned pencil is 63 to 84 where that of its lines is 96 to 116. The limit of many
  * layers lies below what a few come to (chosen by eye within that). */
 #define BELOW_DARKEST 40
 /* Graphite shines: it is never black (natural graphite reflects; darkest patch pixels scanned are about 60). */
 #define DARKEST_POSSIBLE 24
 
-/* Rows that one lock guards: threads seldom meet, and a patch takes one to three. */
+/* One lock guards so many rows: threads seldom meet, and a patch takes one to three locks. */
 #define STRIPE 64
 
-/* Rows of a patch that are laid together. */
+/* So many rows of a patch are laid together. */
 #define TOGETHER 16
 
-/* From the bounds, not from the darkest pixel ever scanned: that may be a speck of dust. */
+/* Returns the darkest grey from the profile's bounds, not from the darkest pixel ever scanned, which may be a speck of dust. */
 static int darkest_of(const profile *p)
 {
     int low = p->min_range < p->min_mid ? p->min_range : p->min_mid;
@@ -38,7 +38,7 @@ static uint8_t grey_of(const graphite *g, double depth, int deposit)
     return (uint8_t)floor(g->darkest + depth * exp(-deposit * DEPOSIT_UNIT) + 0.5);
 }
 
-/* The greys fall in steps: only where they do needs to be found. */
+/* The greys fall in steps, and a search finds where each one ends. */
 static void tabulate_greys(graphite *g, double depth)
 {
     for (int d = 0; d < 65536;) {
@@ -162,15 +162,15 @@ bool plb_page_next_band(page *p)
     return true;
 }
 
-/* A row of a patch on its way to the page. */
+/* A patch_row is a row of a patch on its way to the page. */
 typedef struct {
     const uint8_t *grey;
     size_t at; /* of the page's plane */
     int n;
 } laid_row;
 
-/* Rows y0 to y1 of the page, those that the patch marks. Each lies far from the one before in memory: both its ends are asked
- * for before they are needed. */
+/* Lays rows y0 to y1 of the page, those that the patch marks. Each row lies far from the one before in memory, so both its ends are
+ * asked for before they are needed. */
 static int find_rows(page *p, const patch *from, int y0, int y1, laid_row out[TOGETHER])
 {
     int n = 0;
@@ -194,7 +194,7 @@ static int find_rows(page *p, const patch *from, int y0, int y1, laid_row out[TO
     return n;
 }
 
-/* Looked up for some rows, then added to them: the sums are of SIMD16_LANES at a time, the last ones of nothing. */
+/* Looks up the deposits of some rows, then adds them: SIMD16_LANES sums at a time, the last of which add nothing. */
 static void lay_plane(uint16_t *plane, const uint16_t deposit[256], const laid_row *rows, int n)
 {
     uint16_t more[TOGETHER][PATCH_SIDE + SIMD16_LANES];
@@ -210,7 +210,7 @@ static void lay_plane(uint16_t *plane, const uint16_t deposit[256], const laid_r
 }
 _Static_assert(PAGE_ROW_PAD >= SIMD16_LANES, "the last sums of a row stay within it");
 
-/* Rows y0 to y1 of the page, all in one stripe. */
+/* Lays rows y0 to y1 of the page, all in one stripe. */
 static void lay_rows(page *p, const patch *from, const pigment *with, int y0, int y1)
 {
     for (int y = y0; y < y1; y += TOGETHER) {

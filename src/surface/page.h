@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The page: graphite on paper. Strokes that cross add up as optical densities do and saturate at the darkest grey the
+ * The page is graphite on paper. Strokes that cross add up as optical densities do and saturate at the darkest grey the
  * pencil has; nothing ever gets lighter. Deposits are whole numbers, so the sum is the same in any order, and several
  * threads may lay patches at once. Only a band of the page, some whole rows, is in memory at a time.
  */
@@ -16,7 +16,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-/* How grey becomes deposit and back: fixed for one pencil. */
+/* A graphite turns greys into deposits and back, in the same way for all that one pencil draws. */
 typedef struct {
     int darkest;           /* the grey that overlaid strokes come to */
     uint16_t deposit[256]; /* of a grey */
@@ -25,8 +25,8 @@ typedef struct {
 
 void plb_graphite_init(graphite *g, const profile *p);
 
-/* A coloured pencil: the deposits that a grey of the texture leaves in red, green and blue. Layers mix as light that is
- * taken away: yellow over blue is green. */
+/* A pigment is a coloured pencil: the deposits that a grey of the texture leaves in red, green and blue. Each layer takes
+ * light away, so yellow over blue is green. */
 #define PIGMENT_PLANES 3
 typedef struct {
     uint32_t colour; /* 0xRRGGBB; 0: graphite */
@@ -42,7 +42,7 @@ typedef struct {
     int from, to;
 } row_extent;
 
-/* Deposits behind each row, so that it may be worked on in whole registers. */
+/* So many deposits lie behind each row, so that loops may work on it in whole registers. */
 #define PAGE_ROW_PAD 8
 
 typedef struct {
@@ -58,15 +58,16 @@ typedef struct {
     const graphite *ink; /* borrowed */
 } page;
 
-/* The most pixels a page may have: A0 at 3600 dpi fits. */
+/* A page may have so many pixels at the most: A0 at 3600 dpi fits. */
 #define PAGE_MAX_PIXELS ((double)20e9)
 
-/* Whole pixels of a page of so many; false and `err` when it is too large. */
+/* Gives the whole pixels of a page of so many; false and `err` when the page is too large. */
 bool plb_page_size(double width_px, double height_px, int *width, int *height, error *err);
-/* A page, grey or in colour, with a first band of at most `rows`, blank. False and `err` when out of memory; free it then, too. */
+/* Makes a page, grey or in colour, with a first blank band of at most `rows`. False and `err` when out of memory; the caller frees
+ * the page then, too. */
 bool plb_page_init(page *p, int width, int height, int rows, bool colour, const graphite *ink, error *err);
 void plb_page_free(page *p);
-/* The deposits of row y of the page, in the band. */
+/* Returns the deposits of row y of the page, which lies in the band. */
 static inline uint16_t *plb_page_deposits(const page *p, int plane, int y)
 {
     return p->deposit + (size_t)plane * p->plane + (size_t)(y - p->top) * p->stride;
@@ -81,15 +82,15 @@ void plb_page_lay(page *p, const patch *from, const pigment *with);
 
 typedef enum { PAGE_WHITE, PAGE_TRANSPARENT } page_background;
 
-/* The bytes of a pixel in pictures with this background: grey or red, green and blue; and alpha. */
+/* Returns the number of bytes of a pixel in pictures with this background: grey or red, green and blue; and alpha. */
 int plb_page_channels(page_background background, bool colour);
-/* Row y of the page, in the band, as such bytes. Graphite on nothing is of one grey, the darkest, more or less opaque: over
- * white it looks as the opaque page does. So it is with colours, as opaque as their strongest component needs. */
+/* Gives row y of the page, which lies in the band, as such bytes. Graphite on nothing is of one grey, the darkest, more or less opaque: over
+ * white the row looks as the opaque page does. Colours are as opaque as their strongest component needs. */
 void plb_page_row(const page *p, page_background background, int y, uint8_t *out);
 
-/* A cairo image surface, ARGB32, for the page. The caller destroys it. NULL and `err` when cairo makes none so large. */
+/* Returns a cairo image surface, ARGB32, for the page. The caller destroys it. NULL and `err` when cairo makes none so large. */
 cairo_surface_t *plb_page_surface_new(int width, int height, error *err);
-/* Copies the band at hand to its place there. False when out of memory. */
+/* Copies the band in memory to its place on the surface. False when out of memory. */
 bool plb_page_to_cairo(const page *p, page_background background, cairo_surface_t *to);
 /* Lays a patch straight onto a cairo image surface of format ARGB32, RGB24 or A8, darkening it. */
 void plb_lay_on_cairo(cairo_surface_t *surface, const graphite *ink, const patch *from);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Pages and patches on cairo image surfaces.
+ * This file puts pages and patches on cairo image surfaces.
  */
 #include "surface/page.h"
 
@@ -19,7 +19,7 @@ cairo_surface_t *plb_page_surface_new(int width, int height, error *err)
     return NULL;
 }
 
-/* A pixel of a picture's row as cairo has it, premultiplied. */
+/* Returns a pixel of a picture's row as cairo stores it, premultiplied. */
 static uint32_t pixel_of(const uint8_t *from, int channels)
 {
     bool grey = channels < PIGMENT_PLANES;
@@ -46,8 +46,8 @@ bool plb_page_to_cairo(const page *p, page_background background, cairo_surface_
     return bytes != NULL;
 }
 
-/* One premultiplied channel `c` of a pixel with opacity `a`, under graphite of grey `g` and opacity `t`, all 0 to 255:
- * "darken" of the compositing model, so that graphite never lightens what is darker. Rounded once. */
+/* Lays graphite of grey `g` and opacity `t` over one premultiplied channel `c` of a pixel with opacity `a`, all 0 to 255, by
+ * "darken" of the compositing model, so that graphite never lightens what is darker. The result is rounded once. */
 static uint32_t darken(uint32_t c, uint32_t a, uint32_t g, uint32_t t)
 {
     uint32_t both = g * a < 255 * c ? g * a : 255 * c;

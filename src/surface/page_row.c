@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Rows of the page as bytes of a picture.
+ * This file turns rows of the page into bytes of a picture.
  */
 #include "surface/page.h"
 
@@ -11,7 +11,7 @@ int plb_page_channels(page_background background, bool colour)
     return (colour ? PIGMENT_PLANES : 1) + (background == PAGE_TRANSPARENT);
 }
 
-/* How opaque graphite or pigment must be that darkens white to `grey`. */
+/* Returns the opacity at which graphite or pigment darkens white to `grey`. */
 static int alpha_of(const graphite *ink, int grey)
 {
     int depth = 255 - ink->darkest;
@@ -47,7 +47,7 @@ static void colour_row(const page *p, int y, uint8_t *out)
     }
 }
 
-/* The opacity that the darkest component needs, and colours that over white give what is there. */
+/* Gives the opacity that the darkest component needs, and colours that look over white as the page does. */
 static void colour_alpha_pixel(const graphite *ink, const uint8_t opaque[PIGMENT_PLANES], uint8_t out[PIGMENT_PLANES + 1])
 {
     int darkest = 255;

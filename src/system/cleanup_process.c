@@ -12,7 +12,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-/* False: the line is broken. */
+/* Waits for a byte from the line; false when the line is broken. */
 static bool receive(int line, void *data, size_t size)
 {
     ssize_t n;
@@ -23,13 +23,13 @@ static bool receive(int line, void *data, size_t size)
 static _Noreturn void keep(const keeper_task *task, const char *path, int line)
 {
     char byte;
-    setsid(); /* out of reach of Ctrl-C */
+    setsid(); /* Ctrl-C does not reach another session */
     signal(SIGTERM, SIG_IGN);
     signal(SIGHUP, SIG_IGN);
     signal(SIGINT, SIG_IGN);
     signal(SIGPIPE, SIG_IGN);
     int reason = task->make(path, task->descriptor) ? 0 : errno;
-    dup2(line, 0); /* nothing of ours may stay open: others wait for its end */
+    dup2(line, 0); /* all other files are closed: readers of our pipes wait for their end */
     if (syscall(SYS_close_range, 1u, ~0u, 0u) != 0)
         for (int fd = 1; fd < 65536; fd++)
             close(fd);

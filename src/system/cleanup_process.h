@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A process that cleans up behind this one, however it ends: by a signal that nobody can catch, too.
+ * A cleanup process removes a temporary file or folder however this process ends, by a signal that nobody can catch, too.
  */
 #ifndef PLB_SYSTEM_CLEANUP_PROCESS_H
 #define PLB_SYSTEM_CLEANUP_PROCESS_H
@@ -21,10 +21,11 @@ typedef struct {
     int descriptor; /* an open one, for `make`; others do not mind */
 } keeper_task;
 
-/* Starts a cleanup_process, which makes the thing and removes it when this process has gone: at no time is it there without a cleanup_process.
- * False and errno when it cannot be made; then there is no cleanup_process. `path` may change afterwards. */
+/* Starts a cleanup process, which makes the thing and removes it when this process has gone, so that the thing never exists without
+ * its cleanup process. False and errno when the thing cannot be made; then there is no cleanup process. `path` may change
+ * afterwards. */
 bool plb_cleanup_process_start(cleanup_process *k, const keeper_task *task, const char *path);
-/* Ends it and waits for that; with `must_remove` the thing is removed before. */
+/* Ends the cleanup process and waits for that; with `must_remove` it removes the thing before. */
 void plb_cleanup_process_end(cleanup_process *k, bool must_remove);
 
 #endif

@@ -35,7 +35,7 @@ static char *join(const char *a, const char *b)
     return r;
 }
 
-/* The folder that `name` lies in, as "FOLDER/" or "". The caller frees. */
+/* Returns the folder that `name` lies in, as "FOLDER/" or "". The caller frees. */
 static char *folder_of(const char *name)
 {
     char *folder = join(name, "");
@@ -47,9 +47,10 @@ static char *folder_of(const char *name)
     return folder;
 }
 
-#define MAX_LINKS 40 /* one after the other; as the kernel */
+#define MAX_LINKS 40 /* followed one after the other; the kernel's own limit */
 
-/* What `file` is the name of, through links, also when that is not there yet. NULL and errno on failure. The caller frees. */
+/* Follows links: returns the name that `file` stands for, also when nothing is there yet. NULL and errno on failure. The caller
+ * frees. */
 static char *follow(const char *file)
 {
     char *name = join(file, "");
@@ -69,7 +70,7 @@ static char *follow(const char *file)
     return NULL;
 }
 
-/* The folder's try-th temporary name of this process. The caller frees. */
+/* Returns the folder's try-th temporary name of this process. The caller frees. */
 static char *temporary_name(const char *folder, unsigned try)
 {
     char suffix[48];
@@ -77,7 +78,7 @@ static char *temporary_name(const char *folder, unsigned try)
     return join(folder, suffix);
 }
 
-/* More tries than that would be a folder full of our own leftovers. */
+/* More tries than that would mean a folder full of our own leftovers. */
 #define MAX_TRIES 1000
 
 static bool make_file(const char *name, int none)
@@ -96,7 +97,7 @@ static bool link_file(const char *name, int fd)
     return linkat(AT_FDCWD, self, AT_FDCWD, name, AT_SYMLINK_FOLLOW) == 0;
 }
 
-/* A cleanup_process makes it, we write into it. */
+/* Has a cleanup process make the temporary file, and opens the file for writing. */
 static int open_kept(output *out)
 {
     static const keeper_task task = {make_file, remove_file, -1};
@@ -233,7 +234,7 @@ static bool give_name(output *out)
     return out->is_kept;
 }
 
-/* The name that it has meanwhile becomes the one that was asked for. */
+/* Renames the temporary file to the name that was asked for. */
 static bool rename_it(output *out)
 {
     if (out->temporary && rename(out->temporary, out->name) != 0)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Running a helper process: fork, limits, three pipes, one poll loop.
+ * This file runs a helper process: fork, limits, three pipes, one poll loop.
  */
 #define _DEFAULT_SOURCE /* wait4 */
 #include "system/process.h"
@@ -51,7 +51,7 @@ typedef struct {
     char *environment[ENVIRONMENT_MAX + 1];
 } child_plan;
 
-/* What fonts are found by, and nothing else of the user's environment. */
+/* The child gets the variables by which fonts are found, and nothing else of the user's environment. */
 static bool is_passed_on(const char *variable)
 {
     static const char *const kept[] = {"HOME=", "XDG_", "FONTCONFIG_", NULL};
@@ -61,7 +61,7 @@ static bool is_passed_on(const char *variable)
     return false;
 }
 
-/* What we may use ourselves is an upper limit, for others and in messages. */
+/* Lowers the limit on memory to the one of this process, which the child cannot exceed and which messages should name. */
 static process_limits within_ours(process_limits l)
 {
     struct rlimit ours;
@@ -87,7 +87,7 @@ static void plan_environment(child_plan *plan)
     plan->environment[n] = NULL;
 }
 
-/* The highest descriptor open now, and some more for other threads. */
+/* Returns the highest descriptor open now, and some more for those that other threads open meanwhile. */
 static int highest_descriptor(void)
 {
     int highest = 255;
@@ -163,7 +163,7 @@ static void close_ends(int ends[6])
         close_end(&ends[i]);
 }
 
-/* Above 2 and closed on exec. */
+/* Moves a descriptor above 2 and closes it on exec. */
 static bool lift(int *fd)
 {
     int up = fcntl(*fd, F_DUPFD_CLOEXEC, 3);
@@ -198,7 +198,7 @@ static rlim_t tasks_allowed(void)
     return sysinfo(&now) == 0 ? (rlim_t)now.procs + TASKS_MORE : RLIM_INFINITY;
 }
 
-/* All but what open_ends and the caller have given. */
+/* Fills the plan with all but what open_ends and the caller give. */
 static void plan_child(child_plan *plan)
 {
     const process_limits *l = &plan->limits;
@@ -263,7 +263,7 @@ static void feed(process *p)
         if (n < 0 && (errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR))
             return;
         if (n < 0)
-            break; /* it reads no more: its business */
+            break; /* the process closed its input before the end, as a program may that has seen enough: no fault */
         p->input += n;
         p->input_left -= (size_t)n;
     }
@@ -286,7 +286,7 @@ static void read_message(process *p)
     p->message[p->message_length] = '\0';
 }
 
-/* 1: bytes came; 0: none yet; -1: the end. */
+/* Reads some output. Returns 1 when bytes came, 0 when there are none yet, -1 at the end. */
 static int read_output(process *p, size_t *size)
 {
     ssize_t n = read(p->out, p->buffer, BUFFER_BYTES);
@@ -300,7 +300,7 @@ static int read_output(process *p, size_t *size)
     return -1;
 }
 
-/* Looks at it; false when it is to be ended. */
+/* Looks at the process; false when it must be ended. */
 static bool may_go_on(process *p)
 {
     error fault = {0};
@@ -312,7 +312,7 @@ static bool may_go_on(process *p)
     return r == WATCH_FINE;
 }
 
-/* Waits until something can be done; false: it is to be ended. */
+/* Waits until something can be read or written; false when the process must be ended. */
 static bool wait_for_ends(process *p, struct pollfd ends[3])
 {
     ends[0] = (struct pollfd){.fd = p->in, .events = POLLOUT};
@@ -352,8 +352,8 @@ bool plb_process_read(process *p, const char **data, size_t *size)
 
 static double seconds(struct timeval t) { return (double)t.tv_sec + 1e-6 * (double)t.tv_usec; }
 
-/* Takes the rest of its message and reaps it. A process that has closed its output should be gone soon; one that is not, or
- * oversteps now, is ended by force, which is told. */
+/* Reads the rest of the process's message and reaps it. A process that has closed its output should be gone soon; one that is not, or
+ * oversteps now, is killed, and the result says so. */
 static bool reap(process *p, int *status)
 {
     struct rusage use = {0};
@@ -392,7 +392,7 @@ void plb_process_finish(process *p)
     close_end(&p->err);
     plb_free(p->buffer);
     p->buffer = NULL;
-    /* what it wrote between the last look and its end */
+    /* the process may have written between the last look and its end */
     if (p->end == PROCESS_RUNNING && p->limits.scratch && plb_watch_check(&p->watch, &fault) == WATCH_OVERSTEPPED) {
         p->end = PROCESS_OVERSTEPPED;
         p->fault = fault;
@@ -413,7 +413,7 @@ static bool is_program(const char *path)
     return access(path, X_OK) == 0;
 }
 
-/* Directory of the running program into `path`; false when unknown. */
+/* Puts the directory of the running program into `path`; false when it is unknown. */
 static bool own_directory(char path[PROCESS_PATH_MAX])
 {
     ssize_t n = readlink("/proc/self/exe", path, PROCESS_PATH_MAX - 1);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Foreign code in a process of its own: bytes in on descriptor 0, bytes out from descriptor 1 while it runs, limits
- * on its time and memory, a cage (sandbox.h), and an end in every case.
+ * This header runs foreign code in a process of its own: bytes go in on descriptor 0 and come out of descriptor 1 while it runs,
+ * time and memory are limited, a cage (sandbox.h) holds it, and it ends in every case.
  */
 #ifndef PLB_SYSTEM_PROCESS_H
 #define PLB_SYSTEM_PROCESS_H
@@ -13,7 +13,7 @@
 #include <stddef.h>
 #include <sys/types.h>
 
-/* What a process may use. */
+/* A process may use so much. */
 typedef struct {
     double seconds; /* of processor time. By the clock it may take as long as it gets a hundredth of a processor or more, and
                        three times `seconds` beyond that; time in which we are stopped does not count */
@@ -53,19 +53,19 @@ typedef struct {
 } process;
 
 /* Starts `program` with arguments argv[0..], NULL-terminated, and `size` bytes of input, which must live until the
- * end; `limits` may be NULL. False and `err` when it cannot be started; then there is nothing to finish. */
+ * end; `limits` may be NULL. False and `err` when the program cannot be started; then there is nothing to finish. */
 bool plb_process_start(process *p, const char *program, const char *const argv[], const char *input, size_t size,
                        const process_limits *limits, error *err);
-/* Waits for more of its output. False at the end of the output. The bytes live until the next call. */
+/* Waits for more of the program's output. False at the end of the output. The bytes live until the next call. */
 bool plb_process_read(process *p, const char **data, size_t *size);
-/* Ends it (by force, if its output was not read to the end), reaps it and fills `end` and `code`. */
+/* Ends the program (by force, if its output was not read to the end), reaps it and fills `end` and `code`. */
 void plb_process_finish(process *p);
 
-/* The path of helper program `name` into `path`: in `helper_dir` if given, else beside the running program, else in
+/* Puts the path of helper program `name` into `path`: in `helper_dir` if given, else beside the running program, else in
  * libexec/plumbago near it, else in the place it was installed to. False and ERROR_HELPER when there is none. */
 #define PROCESS_PATH_MAX 4096
 bool plb_process_find(const char *helper_dir, const char *name, char path[PROCESS_PATH_MAX], error *err);
-/* The path of a program that the system has, by the user's PATH; false when there is none. */
+/* Finds a program of the system by the user's PATH; false when there is none. */
 bool plb_process_find_installed(const char *name, char path[PROCESS_PATH_MAX]);
 
 #endif

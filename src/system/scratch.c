@@ -16,7 +16,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#define NAMES 100  /* that are taken, before we give up */
+#define NAMES 100  /* so many may be taken before we give up */
 #define TRIES 1000 /* to remove the folder, 10 ms apart: who writes in it is being killed */
 
 extern char **environ;
@@ -74,7 +74,7 @@ static bool fail(error *err, const char *folder)
 
 static bool make_folder(const char *path, int none) { return (void)none, mkdir(path, 0700) == 0; }
 
-/* A name that nobody has or guesses. */
+/* Makes a name that nobody has or guesses. */
 static void choose_name(char name[SCRATCH_PATH_MAX], const char *root, unsigned try)
 {
     static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789__";

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A folder for a foreign program that cannot do without temporary files. It goes away with its files in every case: a
- * process of its own removes it when we say so, or when we die.
+ * A scratch folder serves a foreign program that cannot do without temporary files. The folder goes away with its files in every
+ * case: a process of its own removes it when we say so, or when we die.
  */
 #ifndef PLB_SYSTEM_SCRATCH_H
 #define PLB_SYSTEM_SCRATCH_H
@@ -19,7 +19,7 @@ typedef struct {
 /* Makes a folder that only this user may enter, below TMPDIR or /tmp. False and `err` when that fails; then there is
  * nothing to close. */
 bool plb_scratch_open(scratch *s, error *err);
-/* Removes it, whoever may still write in it. */
+/* Removes the folder, whoever may still write in it. */
 void plb_scratch_close(scratch *s);
 
 #endif

@@ -8,7 +8,7 @@
 #include <stdatomic.h>
 #include <unistd.h>
 
-#define STACK_BYTES ((size_t)2 << 20) /* whatever the limit on the first thread's is */
+#define STACK_BYTES ((size_t)2 << 20) /* whatever the limit on the first thread's stack is */
 
 typedef struct {
     team_work work;
@@ -44,7 +44,7 @@ static void *toil(void *closure)
     return NULL;
 }
 
-/* Starts m->thread; false when that fails. */
+/* Starts the member's thread; false when that fails. */
 static bool start(member *m)
 {
     pthread_attr_t with;

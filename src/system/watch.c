@@ -31,7 +31,7 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Processor time of the process until now, s; of one that has ended 0. */
+/* Returns the processor time of the process until now, s; 0 when it has ended. */
 static double processor_time(pid_t pid)
 {
     clockid_t clock;
@@ -72,7 +72,7 @@ static bool has_room(const char *folder)
     return statvfs(folder, &s) != 0 || s.f_blocks == 0 || s.f_bfree > 0;
 }
 
-/* The number of threads, field 20 of /proc/PID/stat; 0: unknown. The name, field 2, may hold anything but ends with the last ')'. */
+/* Returns the number of threads, field 20 of /proc/PID/stat; 0 when unknown. The name, field 2, may hold anything but ends with the last ')'. */
 static unsigned long threads_of(pid_t pid)
 {
     char path[32], text[1024];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Looks at a foreign program while it runs: is it at work, and does it keep to what no limit of the kernel holds?
+ * A watch looks at a foreign program while it runs: is it at work, and does it keep to what no limit of the kernel holds?
  */
 #ifndef PLB_SYSTEM_WATCH_H
 #define PLB_SYSTEM_WATCH_H
@@ -33,7 +33,7 @@ void plb_watch_resume(process_watch *w);
  * and for each second of its processor time the program may take a hundred by the clock. WATCH_OVERSTEPPED: `err` says what it
  * did ("writes more than ..."). */
 watch_result plb_watch_look(process_watch *w, error *err);
-/* The files and threads alone, at any time. */
+/* Looks at the files and threads alone, at any time. */
 watch_result plb_watch_check(process_watch *w, error *err);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A picture in the manner of the papers' Figure 3.2: the path of each stroke, its control points as red dots.
+ * This header draws a picture in the manner of the papers' Figure 3.2: the path of each stroke, its control points as red dots.
  */
 #ifndef PLB_SURFACE_PLOT_CONTROLS_H
 #define PLB_SURFACE_PLOT_CONTROLS_H
@@ -13,13 +13,13 @@
 
 typedef struct controls_picture controls_picture;
 
-/* A page of width × height mm at `dpi`. NULL and `err` on failure. */
+/* Makes a page of width × height mm at `dpi`. NULL and `err` on failure. */
 controls_picture *plb_controls_new(double width, double height, double dpi, error *err);
 void plb_controls_free(controls_picture *c);
-/* All in mm on the page. */
+/* Add a path, and dots; all points are in mm on the page. */
 void plb_controls_add_path(controls_picture *c, const point *at, size_t n);
 void plb_controls_add_dots(controls_picture *c, const point *at, size_t n);
-/* As PNG. `name` is for messages. */
+/* Writes the picture as PNG. `name` is for messages. */
 bool plb_controls_write(controls_picture *c, FILE *to, const char *name, error *err);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A profile as a picture: four panels with axes. All sizes are pixels of the picture, chosen by eye.
+ * This file draws a profile as a picture of four panels with axes. All sizes are pixels of the picture, chosen by eye.
  */
 #include "surface/plot/profile_plot.h"
 
@@ -27,7 +27,7 @@
 #define TITLE_SIZE 20
 #define TICK 5
 
-/* One diagram: where it is on the picture, and what its axes span. */
+/* A panel is one diagram: its place on the picture, and the values that its axes span. */
 typedef struct {
     cairo_t *cr;
     double left, top, width, height;
@@ -68,7 +68,7 @@ static void number(const panel *p, double x, double y, double anchor, double val
     text(p->cr, x, y, anchor, plb_format_number(digits, value, 3));
 }
 
-/* A round step that cuts `span` into about five. */
+/* Returns a round step that cuts `span` into about five. */
 static double tick_step(double span)
 {
     double power = pow(10, floor(log10(span / 5))), rest = span / 5 / power;
@@ -97,7 +97,7 @@ static void y_ticks(const panel *p, double step)
     }
 }
 
-/* Frame, ticks, and what the axes and the panel mean. */
+/* Draws frame and ticks, and writes what the axes and the panel mean. */
 static void axes(const panel *p, double step_x, double step_y, const char *title, const char *x_label, const char *y_label)
 {
     cairo_set_source_rgb(p->cr, 0, 0, 0);
@@ -115,7 +115,7 @@ static void axes(const panel *p, double step_x, double step_y, const char *title
     cairo_restore(p->cr);
 }
 
-/* A dashed line across the panel at x. */
+/* Draws a dashed line across the panel at x. */
 static void mark(const panel *p, double x)
 {
     const double dash[] = {4, 4};
@@ -127,7 +127,7 @@ static void mark(const panel *p, double x)
     cairo_set_dash(p->cr, NULL, 0, 0);
 }
 
-/* A histogram in percent, each bar in its own grey, with the bounds. */
+/* Draws a histogram in percent, each bar in its own grey, with the bounds. */
 static void draw_histogram(panel p, const uint32_t counts[PROFILE_GREYS], int low, int high, const char *title)
 {
     double total = 0, most = 0;
@@ -147,7 +147,7 @@ static void draw_histogram(panel p, const uint32_t counts[PROFILE_GREYS], int lo
     axes(&p, 50, tick_step(p.y1), title, "grey (0 black, 255 paper)", "% of pixels");
 }
 
-/* The section's curve, `by` standard deviations off the mean, from the left edge of the line to the right. */
+/* Adds the section's curve, `by` standard deviations off the mean, from the left edge of the line to the right. */
 static void section_path(const panel *p, const profile *f, double by, bool backwards)
 {
     for (int i = 0; i < 2 * PROFILE_SECTION_BINS; i++) {
@@ -180,7 +180,7 @@ static void draw_section(panel p, const profile *f)
     axes(&p, tick_step(2 * half), 50, "cross-section, mean and standard deviation", "distance from the centreline, mm (dashed: half depth)", "grey");
 }
 
-/* The matrix, its counts on a logarithmic scale from white (none) to black (most). */
+/* Draws the matrix, its counts on a logarithmic scale from white (none) to black (most). */
 static bool draw_ccm(panel p, const profile *f)
 {
     p.x0 = 0, p.x1 = PROFILE_GREYS, p.y0 = 0, p.y1 = PROFILE_GREYS;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A profile as a picture.
+ * This header draws a profile as a picture.
  */
 #ifndef PLB_SURFACE_PLOT_PROFILE_PLOT_H
 #define PLB_SURFACE_PLOT_PROFILE_PLOT_H
