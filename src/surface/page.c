@@ -23,7 +23,7 @@
 #define STRIPE 64
 
 /* So many rows of a patch are laid together. */
-#define TOGETHER 16
+#define ROWS_TOGETHER 16
 
 /* Returns the darkest grey from the profile's bounds, not from the darkest pixel ever scanned, which may be a speck of dust. */
 static int darkest_of(const profile *p)
@@ -171,7 +171,7 @@ typedef struct {
 
 /* Lays rows y0 to y1 of the page, those that the patch marks. Each row lies far from the one before in memory, so both its ends are
  * asked for before they are needed. */
-static int find_rows(page *p, const patch *from, int y0, int y1, laid_row out[TOGETHER])
+static int find_rows(page *p, const patch *from, int y0, int y1, laid_row out[ROWS_TOGETHER])
 {
     int n = 0;
     for (int y = y0; y < y1; y++) {
@@ -197,7 +197,7 @@ static int find_rows(page *p, const patch *from, int y0, int y1, laid_row out[TO
 /* Looks up the deposits of some rows, then adds them: SIMD16_LANES sums at a time, the last of which add nothing. */
 static void lay_plane(uint16_t *plane, const uint16_t deposit[256], const laid_row *rows, int n)
 {
-    uint16_t more[TOGETHER][PATCH_SIDE + SIMD16_LANES];
+    uint16_t more[ROWS_TOGETHER][PATCH_SIDE + SIMD16_LANES];
     for (int k = 0; k < n; k++) {
         const uint8_t *grey = rows[k].grey;
         for (int x = 0; x < rows[k].n; x++)
@@ -213,9 +213,9 @@ _Static_assert(PAGE_ROW_PAD >= SIMD16_LANES, "the last sums of a row stay within
 /* Lays rows y0 to y1 of the page, all in one stripe. */
 static void lay_rows(page *p, const patch *from, const pigment *with, int y0, int y1)
 {
-    for (int y = y0; y < y1; y += TOGETHER) {
-        laid_row rows[TOGETHER];
-        int n = find_rows(p, from, y, y + TOGETHER < y1 ? y + TOGETHER : y1, rows);
+    for (int y = y0; y < y1; y += ROWS_TOGETHER) {
+        laid_row rows[ROWS_TOGETHER];
+        int n = find_rows(p, from, y, y + ROWS_TOGETHER < y1 ? y + ROWS_TOGETHER : y1, rows);
         for (int k = 0; k < p->planes; k++)
             lay_plane(p->deposit + (size_t)k * p->plane, p->planes > 1 ? with->deposit[k] : p->ink->deposit, rows, n);
     }

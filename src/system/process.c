@@ -29,7 +29,7 @@
 #define ENVIRONMENT_MAX 64
 #define TIMES_SILENT 3     /* the limit on processor time, while nothing is done */
 #define PATIENCE_AT_END 1  /* s for a process that has closed its output */
-#define STACK_BYTES ((rlim_t)8 << 20)
+#define CHILD_STACK_BYTES ((rlim_t)8 << 20)
 #define TASKS_MORE 512     /* than the machine has now: the user's other programs start some meanwhile */
 
 extern char **environ;
@@ -123,7 +123,7 @@ static _Noreturn void be_child(const child_plan *plan)
     limit(RLIMIT_CORE, 0, 0);
     limit(RLIMIT_NOFILE, 256, 256);
     limit(RLIMIT_FSIZE, plan->file_size, plan->file_size);
-    limit(RLIMIT_STACK, STACK_BYTES, STACK_BYTES);
+    limit(RLIMIT_STACK, CHILD_STACK_BYTES, CHILD_STACK_BYTES);
     if (!plan->limits.loose)
         limit(RLIMIT_NPROC, plan->tasks, plan->tasks);
     if (!SECCOMP_IS_OFF) /* a sanitizer reserves terabytes */

@@ -30,16 +30,16 @@ typedef struct {
     unsigned short length;
     unsigned char type;
     char name[];
-} entry;
+} directory_entry;
 
 static void unlink_all(int folder)
 {
-    _Alignas(entry) char all[4096];
+    _Alignas(directory_entry) char all[4096];
     long n;
     lseek(folder, 0, SEEK_SET);
     while ((n = syscall(SYS_getdents64, folder, all, sizeof all)) > 0)
         for (long at = 0; at < n;) {
-            const entry *e = (const entry *)(const void *)(all + at);
+            const directory_entry *e = (const directory_entry *)(const void *)(all + at);
             unlinkat(folder, e->name, 0);
             at += e->length;
         }

@@ -8,7 +8,7 @@
 #include <stdatomic.h>
 #include <unistd.h>
 
-#define STACK_BYTES ((size_t)2 << 20) /* whatever the limit on the first thread's stack is */
+#define THREAD_STACK_BYTES ((size_t)2 << 20) /* whatever the limit on the first thread's stack is */
 
 typedef struct {
     team_work work;
@@ -16,10 +16,10 @@ typedef struct {
     size_t n;
     atomic_size_t next;
     atomic_bool failed;
-} job;
+} team_job;
 
 typedef struct {
-    job *job;
+    team_job *job;
     int number;
     pthread_t thread;
 } member;
@@ -33,7 +33,7 @@ int plb_thread_team_processors(void)
 static void *toil(void *closure)
 {
     member *m = closure;
-    job *j = m->job;
+    team_job *j = m->job;
     while (!atomic_load(&j->failed)) {
         size_t item = atomic_fetch_add(&j->next, 1);
         if (item >= j->n)
@@ -50,14 +50,14 @@ static bool start(member *m)
     pthread_attr_t with;
     if (pthread_attr_init(&with) != 0)
         return false;
-    bool ok = pthread_attr_setstacksize(&with, STACK_BYTES) == 0 && pthread_create(&m->thread, &with, toil, m) == 0;
+    bool ok = pthread_attr_setstacksize(&with, THREAD_STACK_BYTES) == 0 && pthread_create(&m->thread, &with, toil, m) == 0;
     pthread_attr_destroy(&with);
     return ok;
 }
 
 bool plb_thread_team_run(int members, size_t n, team_work work, void *closure)
 {
-    job j = {.work = work, .closure = closure, .n = n};
+    team_job j = {.work = work, .closure = closure, .n = n};
     member team[THREAD_TEAM_MAX];
     int started = 1;
     members = members > THREAD_TEAM_MAX ? THREAD_TEAM_MAX : members;

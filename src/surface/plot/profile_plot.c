@@ -14,11 +14,11 @@
 #include <math.h>
 #include <stdio.h>
 
-#define WIDTH 1080
-#define HEIGHT 920
+#define PICTURE_WIDTH 1080
+#define PICTURE_HEIGHT 920
 #define TITLE_HEIGHT 56
-#define PANEL_WIDTH (WIDTH / 2)
-#define PANEL_HEIGHT ((HEIGHT - TITLE_HEIGHT) / 2)
+#define PANEL_WIDTH (PICTURE_WIDTH / 2)
+#define PANEL_HEIGHT ((PICTURE_HEIGHT - TITLE_HEIGHT) / 2)
 #define MARGIN_LEFT 72
 #define MARGIN_RIGHT 24
 #define MARGIN_TOP 34
@@ -222,7 +222,7 @@ static void draw_title(cairo_t *cr, const profile *f)
     snprintf(words, sizeof words, "%s: centre %d, %s mm wide, %d line%s, %llu px at %s dpi", f->name, plb_profile_centre(f),
              plb_format_number(half, f->width_half / f->dpi * MM_PER_INCH, 2), f->lines, f->lines == 1 ? "" : "s",
              (unsigned long long)f->pixels, plb_format_number(dpi, f->dpi, 1));
-    text(cr, WIDTH / 2.0, TITLE_HEIGHT * 0.65, 0.5, words);
+    text(cr, PICTURE_WIDTH / 2.0, TITLE_HEIGHT * 0.65, 0.5, words);
     cairo_set_font_size(cr, FONT_SIZE);
 }
 
@@ -251,7 +251,7 @@ static bool write_picture(cairo_surface_t *surface, const char *file, error *err
 
 bool plb_profile_draw(const profile *p, const char *file, error *err)
 {
-    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, WIDTH, HEIGHT);
+    cairo_surface_t *surface = cairo_image_surface_create(CAIRO_FORMAT_RGB24, PICTURE_WIDTH, PICTURE_HEIGHT);
     cairo_t *cr = cairo_create(surface);
     bool good = draw(cr, p) ? write_picture(surface, file, err) : plb_fail_memory(err);
     cairo_destroy(cr);
