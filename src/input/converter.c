@@ -6,7 +6,8 @@
 
 #include <string.h>
 
-/* Exit statuses: of tap-svg when it has no memory (tap_memory.h), of all programs when their libraries cannot be loaded. */
+/* tap-svg exits with the first status when it has no memory (tap_memory.h), every program with the second when its libraries cannot be
+ * loaded. */
 enum { OUT_OF_MEMORY = 125, CANNOT_START = 127 };
 
 static bool ran_out_of_memory(const process *p)

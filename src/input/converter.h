@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Foreign programs that turn one format into another: bytes in, bytes out, and a reason when they fail.
+ * A converter is a foreign program that turns one format into another: bytes go in, bytes come out, with a reason on failure.
  */
 #ifndef PLB_INPUT_CONVERTER_H
 #define PLB_INPUT_CONVERTER_H
@@ -18,13 +18,13 @@ typedef ARRAY(char) converter_bytes;
 bool plb_converter_run(const input_source *in, const char *who, const char *program, const char *const argv[], process *p,
                     converter_bytes *out, error *err);
 
-/* plb_process_start for a reader, which is told with -v. */
+/* Starts a process for a reader; -v says which. */
 bool plb_converter_start(const input_source *in, const char *who, const char *program, const char *const argv[], process *p, error *err);
 
 /* Fills `err` when the process ran out of time or memory, or crashed; else true. */
 bool plb_converter_ended_by_itself(const input_source *in, const char *who, const process *p, error *err);
 
-/* The first line of a program's message, without what is not printable; a string in p->message. */
+/* Returns the first line of a program's message, without bytes that are not printable; a string in p->message. */
 const char *plb_converter_message(process *p);
 
 #endif

@@ -25,13 +25,13 @@ bool plb_ghostscript_is_there(void)
     return plb_process_find_installed(PROGRAM, program) && plb_process_find_installed("pdftocairo", program);
 }
 
-/* The arguments, and room for the texts of those that vary. */
+/* A call holds the arguments, and the texts of those that vary. */
 typedef struct {
     char first[32], last[32], width[48], height[48], install[160];
     const char *argv[32];
 } arguments;
 
-/* The upper left corners of the area and the page, a whole number of points, are the same. */
+/* The upper left corner of the area is that of the page, which has a whole number of points. */
 static void set_arguments(arguments *a, const gs_page *page)
 {
     double w = ceil(page->area.x1 - page->area.x0), h = ceil(page->area.y1 - page->area.y0);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript beyond our own reader: Ghostscript makes PDF of one page, which goes the way of PDF.
+ * Ghostscript reads PostScript beyond our own reader: it makes PDF of one page, which goes the way of PDF.
  */
 #ifndef PLB_INPUT_GHOSTSCRIPT_H
 #define PLB_INPUT_GHOSTSCRIPT_H

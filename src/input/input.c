@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The table of formats, recognised by content. The first that fits reads the file.
+ * This file has the table of formats, recognised by content. The first that fits reads the file.
  */
 #include "input/input.h"
 
@@ -15,7 +15,7 @@ typedef struct {
     bool (*count_pages)(const input_source *in, unsigned *pages, error *err); /* NULL: there is always one */
 } input_format;
 
-/* How far a sign of the format may lie from the start. */
+/* A sign of the format lies within so many bytes of the start. */
 #define LOOK_BYTES ((size_t)4096)
 
 static bool starts_with(const char *data, size_t size, const char *sign, size_t n)
@@ -71,7 +71,7 @@ static bool is_pdf(const char *data, size_t size)
     return contains(data, size < 1024 ? size : 1024, "%PDF-"); /* PDF 1.7, implementation note 13 */
 }
 
-/* Group code 0 and the word SECTION, or the sentinel of binary DXF; comments (999) may come first. */
+/* DXF starts with group code 0 and the word SECTION, after comments (999), or with the sentinel of binary DXF. */
 static bool is_dxf(const char *data, size_t size)
 {
     if (starts_with(data, size, "AutoCAD Binary DXF", 18))
@@ -80,7 +80,7 @@ static bool is_dxf(const char *data, size_t size)
     return (starts_with(data, size, "0", 1) || starts_with(data, size, "999", 3)) && contains(data, size, "SECTION");
 }
 
-/* Its own language names itself at the very start. */
+/* The display list's own language names itself at the very start. */
 static bool is_list(const char *data, size_t size) { return starts_with(data, size, "plumbago-list", 13); }
 
 static const input_format formats[] = {

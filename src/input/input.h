@@ -25,7 +25,7 @@ typedef struct {
  * page size in mm. On failure `err` says "NAME:LINE: what" or "NAME: what". */
 bool plb_input_read(const input_source *in, display_list *list, error *err);
 
-/* How many pages there are to read, at least 1; in->page does not matter. */
+/* Counts the pages there are to read, at least 1; in->page does not matter. */
 bool plb_input_count_pages(const input_source *in, unsigned *pages, error *err);
 
 /* Reads a whole file (or standard input, when `file` is "-") into memory the caller frees with plb_free; at most
@@ -33,14 +33,14 @@ bool plb_input_count_pages(const input_source *in, unsigned *pages, error *err);
 #define INPUT_MAX_BYTES ((size_t)256 << 20)
 bool plb_input_load(const char *file, char **data, size_t *size, error *err);
 
-/* The readers, one per format; same contract. */
+/* Each format has a reader, with the contract of plb_input_read. */
 bool plb_read_svg(const input_source *in, display_list *list, error *err);
 bool plb_read_postscript(const input_source *in, display_list *list, error *err);
 bool plb_read_dxf(const input_source *in, display_list *list, error *err);
 bool plb_read_list(const input_source *in, display_list *list, error *err);
 bool plb_read_pdf(const input_source *in, display_list *list, error *err);
 
-/* Counters of pages, for the formats that can have several. */
+/* Formats that can have several pages have a counter of them. */
 bool plb_count_postscript_pages(const input_source *in, unsigned *pages, error *err);
 bool plb_count_pdf_pages(const input_source *in, unsigned *pages, error *err);
 

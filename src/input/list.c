@@ -6,7 +6,7 @@
 
 #include "list/list_read.h"
 
-/* All bytes at once, the first time. */
+/* Gives all bytes at once, the first time. */
 static bool give_file(void *closure, const char **data, size_t *size)
 {
     const input_source **in = closure;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A whole file, or standard input, into memory.
+ * This file reads a whole file, or standard input, into memory.
  */
 #include "input/input.h"
 
@@ -32,7 +32,7 @@ static bool read_all(int fd, const char *name, bytes *all, error *err)
     }
 }
 
-/* Opens it; directories and files over the limit are refused before a byte is read. */
+/* Opens the file; directories and files over the limit are refused before a byte is read. */
 static int open_input(const char *file, error *err)
 {
     struct stat about;

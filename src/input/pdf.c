@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PDF: poppler's pdftocairo writes one page as SVG, which goes the way of SVG. Its text arrives as glyph outlines.
+ * This file reads PDF: poppler's pdftocairo writes one page as SVG, which goes the way of SVG. Its text arrives as glyph outlines.
  */
 #include "input/converter.h"
 
@@ -9,10 +9,10 @@
 #include <string.h>
 
 #define PROGRAM "pdftocairo"
-/* No document has so many: asking for this page makes pdftocairo say how many there are. */
+/* No document has so many pages: asked for this one, pdftocairo says how many there are. */
 #define BEYOND_ALL_PAGES 2000000000u
 
-/* pdftocairo's exit statuses (pdftocairo(1)), and what its messages say. */
+/* pdftocairo ends with these statuses (pdftocairo(1)) and says these words. */
 enum { PDF_DONE, PDF_CANNOT_OPEN, PDF_OUTPUT, PDF_PERMISSION, PDF_OTHER = 99 };
 
 static bool find_program(const input_source *in, char program[PROCESS_PATH_MAX], error *err)
@@ -56,7 +56,7 @@ bool plb_count_pdf_pages(const input_source *in, unsigned *pages, error *err)
     return *pages > 0 || (ok && fail_to_read(in, &p, err));
 }
 
-/* Nobody asked for a certain page: are there others? */
+/* Warns of other pages, where nobody asked for a certain one. */
 static void warn_of_others(const input_source *in)
 {
     unsigned pages;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * The display list: append, measure, map.
+ * This file appends to the display list, measures it and maps it.
  */
 #include "list/display_list.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Farther than any page: 10 km. Such points come from broken files and would only cost precision. */
+/* No page reaches 10 km. Points beyond come from broken files and would only cost precision. */
 #define FARTHEST_MM 1e7
 
 void plb_list_init(display_list *list)
@@ -92,7 +92,7 @@ void plb_list_transform(display_list *list, matrix m)
         list->gradients.v[i].to_space = plb_matrix_multiply(back, list->gradients.v[i].to_space);
 }
 
-/* Does no part of the box, widened by half the line's width, lie on the page? */
+/* Tells whether no part of the box, widened by half the line's width, lies on the page. */
 static bool is_off_page(const display_list *list, const item *it)
 {
     box b = plb_path_bounds(&it->path);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The display list: what was drawn, in painting order, in millimetres on paper (x right, y down, origin at the
- * page's top left corner). Readers make it; `plan` turns it into strokes.
+ * The display list holds what was drawn, in painting order, in millimetres on paper (x right, y down, origin at the
+ * page's top left corner). Readers make the list; `plan` turns it into strokes.
  */
 #ifndef PLB_LIST_DISPLAY_LIST_H
 #define PLB_LIST_DISPLAY_LIST_H
@@ -15,13 +15,13 @@ typedef enum { ITEM_STROKE, ITEM_FILL } item_kind;
 typedef enum { PAINT_SOLID, PAINT_GRADIENT, PAINT_PATTERN } paint_kind;
 typedef enum { LINE_CAP_BUTT, LINE_CAP_ROUND, LINE_CAP_SQUARE } line_cap;
 
-/* Components in [0, 1], not premultiplied. For a gradient: its mean colour. */
+/* A paint has components in [0, 1], not premultiplied; those of a gradient are its mean colour. */
 typedef struct {
     paint_kind kind;
     double red, green, blue, alpha;
 } paint;
 
-/* How a gradient goes on beyond its ends. */
+/* A gradient goes on beyond its ends in one of these ways. */
 typedef enum { GRADIENT_ENDS, GRADIENT_PAD, GRADIENT_REPEAT, GRADIENT_REFLECT } gradient_extend;
 
 typedef struct {
@@ -29,9 +29,9 @@ typedef struct {
     float red, green, blue, alpha;
 } gradient_stop;
 
-#define GRADIENT_MAX_STOPS 16 /* of more, the first and the last are kept */
+#define GRADIENT_MAX_STOPS 16 /* where there are more, the first ones and the last are kept */
 
-/* A colour for each place: between two points, or between two circles. */
+/* A gradient has a colour for each place: between two points, or between two circles. */
 typedef struct {
     bool radial;
     gradient_extend extend;
@@ -45,7 +45,7 @@ typedef struct {
 
 #define NO_CLIP (-1)
 
-/* One clip path; what is visible lies inside it and inside its parent. */
+/* A clip is one path; things are visible inside it and inside its parent. */
 typedef struct {
     path path;
     bool even_odd;
@@ -76,7 +76,7 @@ typedef struct {
     omissions omissions; /* what was met and left out */
 } display_list;
 
-/* Limits on what a file may ask for; a reader stops with ERROR_LIMIT when one is passed. */
+/* A file may ask for so much; beyond, a reader stops with ERROR_LIMIT. */
 #define LIST_MAX_ITEMS 4000000u
 #define LIST_MAX_POINTS 40000000u
 #define LIST_MAX_DASHES 40000000u
@@ -92,21 +92,21 @@ bool plb_list_add(display_list *list, item *it, error *err);
 bool plb_list_add_clip(display_list *list, clip *c, int *index, error *err);
 /* Adds a gradient, unless it is the last one again, and gives 1 + its index, for item.gradient. */
 bool plb_list_add_gradient(display_list *list, const gradient *g, unsigned *index, error *err);
-/* Adds it in every case. */
+/* Adds a gradient in every case. */
 bool plb_list_append_gradient(display_list *list, const gradient *g, error *err);
 void plb_item_free(item *it);
-/* All that lies on the page is mapped by `m` (line widths and dashes by its expansion). */
+/* Maps all that lies on the page by `m` (line widths and dashes by its expansion). */
 void plb_list_transform(display_list *list, matrix m);
-/* Gives what was left out, with what nobody will see and the fills that are no more than an even grey. */
+/* Returns the omissions, to which it adds things that nobody will see and fills that become an even grey. */
 omissions plb_list_count_omissions(const display_list *list);
-/* Bounds of all items' paths; empty when there are none. */
+/* Returns the bounds of all items' paths; empty when there are none. */
 box plb_list_bounds(const display_list *list);
-/* Perceived lightness of a paint on white paper: 0 black to 1 white (Rec. 601 luma, alpha over white). */
+/* Returns the perceived lightness of a paint on white paper: 0 black to 1 white (Rec. 601 luma, alpha over white). */
 double plb_paint_lightness(paint p);
 
-/* The gradient that the item is painted with; NULL: none that is known. Borrowed. */
+/* Returns the gradient that the item is painted with, borrowed; NULL when none is known. */
 const gradient *plb_item_gradient(const display_list *list, const item *it);
-/* Its paint at a place (mm), a solid one; alpha 0 where it paints nothing. */
+/* Returns the gradient's paint at a place (mm), a solid one; alpha 0 where it paints nothing. */
 paint plb_gradient_at(const gradient *g, point mm);
 /* Adds a stop behind the others. */
 void plb_gradient_add_stop(gradient *g, gradient_stop stop);

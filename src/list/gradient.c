@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Gradients: the colour at a place (SVG 2, section 14; cairo's definition of two-circle gradients).
+ * This file finds a gradient's colour at a place (SVG 2, section 14; cairo's definition of two-circle gradients).
  */
 #include "list/display_list.h"
 
 #include <math.h>
 
-/* Where along a linear gradient: the projection onto its axis. False: it has no axis. */
+/* Gives the place along a linear gradient: the projection onto its axis. False when it has no axis. */
 static bool linear_offset(const gradient *g, point p, double *t)
 {
     point axis = point_sub(g->to, g->from);
@@ -15,7 +15,7 @@ static bool linear_offset(const gradient *g, point p, double *t)
     return length2 > 0;
 }
 
-/* The larger t whose circle, of radius not below 0, passes through `p`. False: there is none. */
+/* Gives the larger t whose circle, of radius not below 0, passes through `p`. False when there is none. */
 static bool radial_offset(const gradient *g, point p, double *t)
 {
     point axis = point_sub(g->to, g->from), q = point_sub(p, g->from);
@@ -91,7 +91,7 @@ static bool same_matrix(const matrix *a, const matrix *b)
     return a->xx == b->xx && a->yx == b->yx && a->xy == b->xy && a->yy == b->yy && a->x0 == b->x0 && a->y0 == b->y0;
 }
 
-/* Member by member: the bytes between members are anything. */
+/* Compares member by member, for the bytes between members may be anything. */
 static bool same(const gradient *a, const gradient *b)
 {
     bool all = a->radial == b->radial && a->extend == b->extend && a->n == b->n && a->opacity == b->opacity &&

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * See list_read.h: a table of statements, each a function that takes its line word by word.
+ * See list_read.h. A table names the statements; each has a function that takes its line word by word.
  */
 #include "list/list_read.h"
 
@@ -34,7 +34,7 @@ typedef struct {
 static bool next(reader *r) { return plb_list_next_word(&r->scan); }
 static bool is(const reader *r, const char *word) { return plb_list_is_word(&r->scan, word); }
 
-/* "EXPECTED is missing" or "'WORD' stands where EXPECTED should". */
+/* Fails with "EXPECTED is missing" or "'WORD' stands where EXPECTED should". */
 static bool fail_expecting(reader *r, const char *expected)
 {
     if (!r->scan.length)
@@ -43,7 +43,7 @@ static bool fail_expecting(reader *r, const char *expected)
     return plb_fail(r->err, ERROR_SYNTAX, "'%.*s' stands where %s should", shown, r->scan.word, expected);
 }
 
-/* The present word as a number from `low` to `high`; goes on to the next one. */
+/* Reads the present word as a number from `low` to `high` and goes on to the next one. */
 static bool take_number(reader *r, double low, double high, const char *what, double *v)
 {
     const char *start = r->scan.word, *end = start + r->scan.length, *after;
@@ -60,7 +60,7 @@ static bool take_any(reader *r, const char *what, double *v) { return take_numbe
 
 static bool take_share(reader *r, const char *what, double *v) { return take_number(r, 0, 1, what, v); }
 
-/* The present word as a whole number of at most nine digits. */
+/* Reads the present word as a whole number of at most nine digits. */
 static bool is_count(const reader *r, unsigned long *n)
 {
     *n = 0;
@@ -82,7 +82,7 @@ static bool take_count(reader *r, const char *what, unsigned long *n)
 
 static bool take_point(reader *r, const char *what, point *p) { return take_any(r, what, &p->x) && take_any(r, what, &p->y); }
 
-/* One of n words; `index` gets which. */
+/* Reads one of n words, whose number `index` gets. */
 static bool take_word(reader *r, const char *const words[], int n, const char *what, int *index)
 {
     for (int i = 0; i < n; i++)
@@ -152,7 +152,7 @@ static bool read_omission(reader *r)
         return fail_expecting(r, "a kind of omission");
     if (!next(r))
         return false;
-    /* The advice is a text, not words: the count must not be looked past. */
+    /* The advice is a text, not words, so the scanner must not look past the count. */
     if (!is_count(r, &n))
         return fail_expecting(r, "how many were left out");
     omissions *all = &r->list->omissions;
@@ -242,7 +242,7 @@ static bool take_points(reader *r, path_op op, int n)
     return true;
 }
 
-/* The rest of the line into r->path, as it stands there. Without two closings in a row it has no more steps than twice its
+/* Reads the rest of the line into r->path, in the coordinates written there. Without two closings in a row it has no more steps than twice its
  * points. */
 static bool take_path(reader *r)
 {
@@ -264,7 +264,7 @@ static bool take_path(reader *r)
     return true;
 }
 
-/* The path into one that is just large enough, in mm on the page. */
+/* Copies the path into one that is just large enough, in mm on the page. */
 static bool move_path(reader *r, path *to)
 {
     size_t ops = r->path.ops.n, points = r->path.points.n;
@@ -281,7 +281,7 @@ static bool move_path(reader *r, path *to)
     return true;
 }
 
-/* - or the number of an earlier clip. */
+/* Reads - or the number of an earlier clip. */
 static bool take_clip(reader *r, int *index)
 {
     unsigned long n;
@@ -318,7 +318,7 @@ static bool read_clip(reader *r)
 
 /* ---- items -------------------------------------------------------------------------------------------------------- */
 
-/* gradient@INDEX: the word is cut at its @. */
+/* Reads gradient@INDEX, cutting the word at its @. */
 static bool take_gradient_number(reader *r, item *it)
 {
     size_t n = strlen(plb_list_paints[PAINT_GRADIENT]) + 1;
@@ -351,7 +351,7 @@ static bool take_paint(reader *r, item *it)
     return true;
 }
 
-/* ON OFF … @ OFFSET */
+/* Reads ON OFF … @ OFFSET. */
 static bool take_dashes(reader *r, item *it)
 {
     r->dash.n = 0;

@@ -15,7 +15,7 @@ typedef struct {
     void *closure;
     const char *name; /* of the drawing, as messages show it */
     log_sink say;     /* takes its warnings and details, "NAME: text" */
-    /* What the reader fills. */
+    /* The reader fills the rest. */
     unsigned long pages; /* that the document has; 0: it does not say */
     unsigned long line;  /* where it stopped, from 1 */
     bool complete;       /* the whole text is read and good */

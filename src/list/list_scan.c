@@ -18,10 +18,10 @@ static bool have_byte(list_scan *s)
 }
 
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
-/* Of a word: printable ASCII, but not the sign of a comment. */
+/* Tells whether the byte may stand in a word: printable ASCII, but not the sign of a comment. */
 static bool is_inside(char c) { return c > ' ' && c < 127 && c != '#'; }
 
-/* Up to the end of the line, which is left where it is. */
+/* Skips to the end of the line, which stays unread. */
 static void skip_comment(list_scan *s)
 {
     while (have_byte(s)) {
@@ -32,7 +32,7 @@ static void skip_comment(list_scan *s)
     }
 }
 
-/* The word started at the end of the bytes at hand: its pieces are put together. */
+/* Puts together the pieces of a word that started at the end of the bytes at hand. */
 static bool take_pieces(list_scan *s)
 {
     size_t n = 0;

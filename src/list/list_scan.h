@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The words of the list's text form, one after the other, as the text arrives: what list_read.c reads from.
+ * This scanner gives the words of the list's text form one after the other, as the text arrives; list_read.c reads from it.
  */
 #ifndef PLB_LIST_LIST_SCAN_H
 #define PLB_LIST_LIST_SCAN_H
@@ -10,7 +10,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* A longer word is an error: all digits of the longest double that there is fit in. */
+/* A longer word is an error; all digits of the longest double fit in. */
 #define LIST_MAX_WORD 1200
 
 typedef struct {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The words of the text form that its writer and its reader share, plumbago-list(5). Each table is in the order of its enum.
+ * The writer and the reader of the text form, plumbago-list(5), share these words. Each table is in the order of its enum.
  */
 #ifndef PLB_LIST_LIST_WORDS_H
 #define PLB_LIST_LIST_WORDS_H

@@ -9,7 +9,7 @@
 
 #include <string.h>
 
-/* No word or number is longer. */
+/* No word or number is longer than this. */
 #define PIECE_MAX 64
 
 static void flush(list_writer *w)
@@ -19,7 +19,7 @@ static void flush(list_writer *w)
     w->n = 0;
 }
 
-/* Room for a piece, where it is to be written. */
+/* Returns the place where a piece of that size can be written. */
 static char *room_for_piece(list_writer *w)
 {
     if (w->n > LIST_WRITER_BYTES - PIECE_MAX)
@@ -65,7 +65,7 @@ static void put_matrix(list_writer *w, matrix m)
         put_number(w, all[i]);
 }
 
-/* The text of a person, on one line. */
+/* Writes a text for people, on one line. */
 static void put_text(list_writer *w, const char *text)
 {
     put_character(w, ' ');

@@ -29,11 +29,11 @@ typedef struct {
 } list_writer;
 
 void plb_list_writer_init(list_writer *w, list_put put, void *closure);
-/* The size of the page, mm; before the first clip, gradient or item. */
+/* Writes the size of the page, mm; it comes before the first clip, gradient or item. */
 void plb_list_writer_page(list_writer *w, double width, double height);
-/* How many pages the document has of which this is one. */
+/* Writes how many pages the document has, of which this is one. */
 void plb_list_writer_pages(list_writer *w, unsigned long pages);
-/* mm on paper per mm of the thing drawn. */
+/* Writes the scale, mm on paper per mm of the thing drawn. */
 void plb_list_writer_scale(list_writer *w, double scale);
 /* Paths and gradients that follow are in the coordinates that m maps to mm on the page; it takes the place of the one before. */
 void plb_list_writer_matrix(list_writer *w, matrix m);
@@ -45,12 +45,12 @@ void plb_list_writer_message(list_writer *w, message_level level, const char *te
 void plb_list_writer_gradient(list_writer *w, const gradient *g);
 void plb_list_writer_clip(list_writer *w, const clip *c);
 void plb_list_writer_item(list_writer *w, const item *it);
-/* The last statement; gives everything to `put`. False when some of it could not be written. */
+/* Writes the last statement and gives everything to `put`. False when some of it could not be written. */
 bool plb_list_writer_end(list_writer *w);
 
-/* All of a list. False when it could not be written. */
+/* Writes all of a list. False when some of it could not be written. */
 bool plb_list_write(const display_list *list, list_put put, void *closure);
-/* The same, to a file. */
+/* Writes all of a list to a file. */
 bool plb_list_print(const display_list *list, FILE *to);
 
 #endif

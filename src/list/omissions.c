@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Losses in words: a table of kinds.
+ * This file puts omissions into words: a table of kinds.
  */
 #include "list/omissions.h"
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a drawing holds and the pencil does not draw, or not as it is: how often each kind was met. Every reader fills
- * it; nothing is left out silently.
+ * The omissions count, by kind, things of a drawing that the pencil does not draw, or draws otherwise. Every reader fills
+ * them; nothing is left out silently.
  */
 #ifndef PLB_LIST_OMISSIONS_H
 #define PLB_LIST_OMISSIONS_H
@@ -33,14 +33,14 @@ typedef struct {
     char advice[OMISSION_ADVICE_MAX]; /* what would help against it; empty: nothing known */
 } omissions;
 
-/* The kind's name in the list's text form, plumbago-list(5). */
+/* Returns the kind's name in the list's text form, plumbago-list(5). */
 const char *plb_omission_name(omission_kind kind);
-/* The kind that the n bytes name; false: none. */
+/* Gives the kind that the n bytes name; false when they name none. */
 bool plb_omission_find(const char *name, size_t n, omission_kind *kind);
-/* Keeps the advice, cut to its room; NULL: none. */
+/* Keeps the advice, cut to OMISSION_ADVICE_MAX; NULL is no advice. */
 void plb_omissions_advise(omissions *l, const char *advice);
 
-/* One warning with all that matters, and a detail for each kind with what became of it. */
+/* Says one warning with all that matters, and a detail for each kind with what became of it. */
 void plb_omissions_report(const omissions *l, const char *name, const log_sink *say);
 
 #endif

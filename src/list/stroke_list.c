@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The stroke list, and its text form for people and for golden tests:
+ * This file keeps the stroke list and writes its text form for people and for golden tests:
  *
  *     strokes WIDTH HEIGHT
  *     stroke IDENTITY open|closed KIND PRESSURE graphite|COLOUR X Y X Y …

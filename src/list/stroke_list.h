@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The stroke list: the movements a hand makes, in the order it makes them, in millimetres on paper. `plan` makes it
- * from the display list; `stroke` draws its entries one by one.
+ * The stroke list holds the movements a hand makes, in the order it makes them, in millimetres on paper. `plan` makes it
+ * from the display list; `stroke` draws each entry by itself.
  */
 #ifndef PLB_LIST_STROKE_LIST_H
 #define PLB_LIST_STROKE_LIST_H
@@ -13,7 +13,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-/* What a movement is for: the hand makes each kind in its own way. */
+/* A movement serves one of these ends, and the hand makes each kind in its own way. */
 typedef enum {
     STROKE_LINE,   /* of the drawing itself */
     STROKE_HATCH,  /* one of many that make a tone */
@@ -21,7 +21,7 @@ typedef enum {
     STROKE_GUIDE   /* a construction line, drawn before the others and faint */
 } stroke_kind;
 
-/* How the pencil touches the paper along one movement. */
+/* A stroke_style says how the pencil touches the paper along one movement. */
 typedef struct {
     float pressure;   /* times the hand's usual pressure, > 0: lighter is paler and grainier, heavier darker and broader */
     uint32_t colour;  /* 0xRRGGBB of a coloured pencil; 0: graphite */
@@ -29,7 +29,7 @@ typedef struct {
 } stroke_style;
 #define STROKE_STYLE_USUAL ((stroke_style){1, 0, STROKE_LINE})
 
-/* One movement of the pencil along a smooth line. */
+/* A stroke is one movement of the pencil along a smooth line. */
 typedef struct {
     stroke_style style;
     uint64_t identity; /* where its random numbers live: a hash of its shape, distinct for each stroke of a list */
@@ -46,9 +46,9 @@ typedef struct {
 } stroke_list;
 
 void plb_stroke_list_free(stroke_list *s);
-/* Along its points, mm. */
+/* Returns the length along the stroke's points, mm. */
 double plb_stroke_length(const stroke_list *list, const stroke *s);
-/* The text form: one stroke a line after a head line; plumbago(1), --dump=strokes. False on a write error. */
+/* Writes the text form: one stroke a line after a head line; plumbago(1), --dump=strokes. False on a write error. */
 bool plb_stroke_list_print(const stroke_list *s, FILE *to);
 
 #endif
