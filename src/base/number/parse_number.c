@@ -17,7 +17,7 @@
 /* No two neighbouring doubles have a midpoint with more digits than 767; what follows only tells "more than that". */
 #define MAX_EXACT_DIGITS 800
 
-/* What the text says: digits * 10^exponent, and something less than one more of the last digit if `cut`. */
+/* A decimal holds what the text says: digits * 10^exponent, and something less than one more of the last digit if `cut`. */
 typedef struct {
     bool minus, cut;
     uint64_t digits;

@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-/* What a number is for: part of its address. Never renumber one: it would change every drawing. */
+/* A random number serves one of these purposes, which is part of its address. Renumbering one would change every drawing. */
 typedef enum {
     PURPOSE_SQUIGGLE = 1, /* deviation of a path's control points */
     PURPOSE_CENTRE = 2,   /* grey of the centre row */

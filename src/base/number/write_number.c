@@ -89,7 +89,7 @@ static uint64_t shortest(binary v, int *exponent)
     uint64_t twice = scale(8 * v.m, k, v.e - 2, &at_twice);
     high -= at_high && !ends;
     low += !at_low || !ends;
-    /* Of the numbers with so many zeros, the nearest to the double itself, which `twice` and a rest are the double of. */
+    /* Takes the number with so many zeros that is nearest to the double itself, of which `twice` and a rest are the double. */
     int zeros = find_zeros(low, high);
     uint64_t unit = power_of_ten(zeros), digits = zeros ? twice / (2 * unit) : twice / 2, rest = twice - 2 * digits * unit;
     digits += rest > unit || (rest == unit && (!at_twice || (digits & 1)));

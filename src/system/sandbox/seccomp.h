@@ -22,7 +22,7 @@
 #define SECCOMP_IS_OFF 0
 #endif
 
-/* What is allowed beyond reading and computing. */
+/* A program may be allowed these things beyond reading and computing. */
 typedef struct {
     bool writes;  /* files may be made and opened for writing (where Landlock lets them); none may be removed */
     bool threads; /* it may start threads */
