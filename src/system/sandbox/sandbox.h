@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The sandbox holds a foreign program to what it may touch. The kernel sees to that by Landlock (which files) and seccomp
- * (which system calls), as far
- * as it has them, and by taking away what root may do beyond other users.
+ * (which system calls), as far as it has them, and by taking away what root may do beyond other users.
  */
 #ifndef PLB_SYSTEM_SANDBOX_SANDBOX_H
 #define PLB_SYSTEM_SANDBOX_SANDBOX_H
