@@ -48,7 +48,7 @@ static bool explain_end(const input_source *in, tap *t, error *err)
     return plb_fail(err, ERROR_HELPER, "%s: the helper %s failed (status %d): %.200s", in->name, t->argv[0], code, plb_converter_message(&t->process));
 }
 
-/* What was wrong with the text itself. A limit is the drawing's fault, all else the tap's. */
+/* Says what is wrong with the text itself: a limit is the drawing's fault, all else the tap's. */
 static bool fail_to_read(const input_source *in, const tap *t, unsigned long line, const error *why, error *err)
 {
     if (why->kind == ERROR_LIMIT || why->kind == ERROR_MEMORY)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# No unfinished business, no paths of one machine, and a licence line in every source file.
+# No unfinished business, no paths of one machine, a licence line in every source file, comments that are plain sentences.
 . "$ROOT/tests/check.sh"
 cd "$ROOT" || exit 1
 git rev-parse >/dev/null 2>&1 && files=$(git ls-files) || files=$(find . -type f -not -path './build/*' -not -path './.git/*' | sed 's|^\./||')

@@ -180,7 +180,7 @@ static bool collect_deeds(process *p, const char *const argv[], const process_li
     return ok;
 }
 
-/* What there is to take: a file, a socket, and memory, a queue and semaphores of System V. */
+/* A bait is there to take: a file, a socket, and memory, a queue and semaphores of System V. */
 typedef struct {
     char folder[40];
     int listening, shm, queue, semaphores;
@@ -255,7 +255,7 @@ static void forgive(const char *word)
             at += n;
 }
 
-/* One burglary, with Landlock as this version has it (-1: the kernel's), by a reader that may or may not write somewhere. */
+/* Tries one burglary, with Landlock in this version (-1: the kernel's), by a reader that may or may not write somewhere. */
 static void burgle_caged(int version, const char *scratch_folder)
 {
     static const char *const without_landlock[] = {"read", "list", "passwd", "environ"},
