@@ -105,13 +105,13 @@ static void ratios_are_written_in_four_ways(void)
 
 static plb_drawing *small_drawing(const plb_options *o)
 {
-    FILE *f = fopen("small.ps", "w");
-    fputs("%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 0 0 80 60\n10 10 moveto 70 50 lineto stroke\n", f);
+    FILE *f = fopen("small.list", "w");
+    fputs("plumbago-list 1\npage 28 21\nstroke - colour 0 0 0 1 width 0.3 butt M 3 3 L 25 18\nend\n", f);
     fclose(f);
     plb_error e;
-    plb_drawing *d = plb_drawing_load("small.ps", o, &e);
+    plb_drawing *d = plb_drawing_load("small.list", o, &e);
     CHECK(d != NULL);
-    unlink("small.ps");
+    unlink("small.list");
     return d;
 }
 
