@@ -70,7 +70,7 @@ fault "a list without its end" 'wrong\.list:[23]: the text stops before its end'
 fault "an unknown statement" "wrong\\.list:3: 'circle' stands where a statement should" $'plumbago-list 1\npage 1 1\ncircle 1 1 1\nend'
 fault "a version of tomorrow" 'wrong\.list:1: version 2' $'plumbago-list 2\npage 1 1\nend'
 fault "a clip that is not there" 'wrong\.list:3: there is no clip 3' $'plumbago-list 1\npage 1 1\nfill 3 colour 0 0 0 1 nonzero M 0 0\nend'
-printf 'plumbago-list 1\npage 9 9\nwarning mind the gap\nstroke - colour 0 0 0 1 width 1 round M 1 1 L 8 8\nend\n' >said.list
+printf 'plumbago-list 1\npage 90 90\nwarning mind the gap\nstroke - colour 0 0 0 1 width 1 round M 1 1 L 8 8\nend\n' >said.list
 plumbago -o said.png said.list
 is "its warnings are passed on" "$status $(cat "$TMP/err")" '0 plumbago: warning: said.list: mind the gap'
 refuses "there is no second page" 'it has no page 2, only 1' --page 2 -o two.png said.list
