@@ -3,7 +3,7 @@
 . "$ROOT/tests/check.sh"
 cd "$ROOT/src" || exit 1
 warn="-Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror"
-libs=$(pkg-config --cflags cairo libpng)
+libs=$(pkg-config --cflags cairo libpng librsvg-2.0 libxml-2.0)
 
 alone() { # COMPILER LANGUAGE STANDARD HEADER
     # shellcheck disable=SC2086

@@ -168,6 +168,10 @@ def is_sane(*numbers):
     return all(math.isfinite(n) and abs(n) < MM_FAR for n in numbers)
 
 
+# An item so many times farther off than the others reach has strayed there; chosen by eye.
+STRAY = 100.0
+
+
 class Extents:
     def __init__(self):
         self.x0 = self.y0 = math.inf
@@ -194,12 +198,45 @@ class Recorder(BackendInterface):
 
     def __init__(self):
         self.items = []  # (function of the writer, arguments)
-        self.extents = Extents()
+        self.reaches = []  # the extents of each item; empty where it has none of its own
+        self.extents = Extents()  # of the item that is being recorded, then of all
         self.insane = 0
         self.width = None  # of the line, drawing units, when a polyline has its own
 
     def keep(self, how, *what):
         self.items.append((how, what))
+        self.reaches.append(self.extents)
+        self.extents = Extents()
+
+    def take(self, before):
+        """The items from number `before` on, taken back; their extents go to the item that comes."""
+        items, reaches = self.items[before:], self.reaches[before:]
+        del self.items[before:], self.reaches[before:]
+        for r in reaches:
+            if not r.is_empty:
+                self.extents.add(r.x0, r.y0)
+                self.extents.add(r.x1, r.y1)
+        return items
+
+    def settle(self):
+        """Joins the extents of the items. A few that lie far from all others, as strayed points do, are left out: they would
+        shrink the drawing to a dot. Their number is the result."""
+        places = [(r, ((r.x0 + r.x1) / 2, (r.y0 + r.y1) / 2)) for r in self.reaches if not r.is_empty]
+        if not places:
+            return 0
+        middle = [sorted(at[k] for _, at in places)[len(places) // 2] for k in (0, 1)]
+        far = sorted(math.dist(at, middle) for _, at in places)
+        usual = max(far[(len(far) - 1) * 9 // 10], max(max(r.x1 - r.x0, r.y1 - r.y0) for r, at in places if math.dist(at, middle) <= far[len(far) // 2]))
+        strayed = {id(r) for r, at in places if usual > 0 and math.dist(at, middle) > STRAY * usual}
+        if len(strayed) > max(1, len(places) // 50):
+            strayed = set()
+        kept = [(item, r) for item, r in zip(self.items, self.reaches) if id(r) not in strayed]
+        self.items = [item for item, _ in kept]
+        for _, r in kept:
+            if not r.is_empty:
+                self.extents.add(r.x0, r.y0)
+                self.extents.add(r.x1, r.y1)
+        return len(strayed)
 
     def trace(self, path, close=False):
         """[(letter, x, y, ...)] of an ezdxf path; its extents are added. None when a point is out of this world."""
@@ -273,17 +310,16 @@ class Recorder(BackendInterface):
         if is_sane(*start.xyz, *direction.xyz):
             self.keep("ray", start.x, start.y, direction.x, direction.y, both_ways, properties.color, properties.lineweight)
 
-    def fill(self, outlines, color, spacing=0.0):
+    def fill(self, outlines, color, spacing=0.0, ends=None):
         steps = [step for outline in outlines for step in self.trace(outline, close=True) or []]
         if steps:
-            self.keep("fill", steps, color, spacing)
+            self.keep("fill", steps, color, spacing, ends)
 
     def draw_filled_paths(self, paths, holes, properties):
-        filling, color = properties.filling, properties.color
+        filling, ends = properties.filling, None
         if filling and filling.type == Filling.GRADIENT and filling.gradient_color1 and filling.gradient_color2:
-            ends = (filling.gradient_color1, filling.gradient_color2)
-            color = "#" + "".join(f"{sum(int(e[i : i + 2], 16) for e in ends) // 2:02x}" for i in (1, 3, 5))
-        self.fill([*paths, *holes], color)
+            ends = (filling.gradient_color1, filling.gradient_color2, filling.angle, filling.name.upper())
+        self.fill([*paths, *holes], properties.color, 0.0, ends)
 
     def draw_filled_polygon(self, points, properties):
         steps = self.trace_points(list(points))
@@ -410,13 +446,11 @@ class Draughtsman(Frontend):
         size = hatch_size(paths)
         if size / spacing * len(baselines) <= HATCH_LINES:
             super().draw_hatch_pattern(polygon, paths, properties)
-        lines = self.out.items[before:]
-        del self.out.items[before:]
+        lines = self.out.take(before)
         ocs = polygon.ocs()
         outlines = [path.transform(ocs.matrix) for path in paths] if ocs.transform else paths
         self.out.fill(outlines, properties.color, spacing)
-        tone = self.out.items[before:]
-        del self.out.items[before:]
+        tone = self.out.take(before)
         if tone:
             self.out.keep("hatch", lines, tone, spacing)
 
@@ -455,6 +489,7 @@ class Writer:
     def __init__(self, extents, f):
         self.f, self.x0, self.y1 = f, extents.x0, extents.y1
         self.extents = extents
+        self.gradients = 0
         self.width = (extents.x1 - extents.x0) * f + 2 * MARGIN
         self.height = (extents.y1 - extents.y0) * f + 2 * MARGIN
         self.out = []
@@ -477,8 +512,28 @@ class Writer:
         opacity = f' stroke-opacity="{alpha:.3f}"' if alpha < 1 else ""
         self.out.append(f'<path d="{self.d(steps)}" stroke="{ink}" stroke-width="{w:.4f}"{opacity}{self.dash(dashes)}/>')
 
-    def fill(self, steps, color, spacing):
+    def gradient(self, steps, ends):
+        """Between two colours, along a direction or from the middle (DXF Reference, HATCH, codes 450 to 470); a reference to it."""
+        first, second, angle, name = ends
+        places = [(float(a), float(b)) for s in steps for i in range(1, len(s), 2) for a, b in [self.xy(*s[i : i + 2]).split()]]
+        (x0, x1), (y0, y1) = ((min(v), max(v)) for v in zip(*places))
+        x, y, turn = (x0 + x1) / 2, (y0 + y1) / 2, -math.radians(angle)
+        reach = (abs(math.cos(turn)) * (x1 - x0) + abs(math.sin(turn)) * (y1 - y0)) / 2
+        self.gradients += 1
+        if name.endswith(("SPHERICAL", "HEMISPHERICAL", "CURVED")):
+            head, tail = f'<radialGradient cx="{x:.4f}" cy="{y:.4f}" r="{math.hypot(x1 - x0, y1 - y0) / 2:.4f}"', "radialGradient"
+        else:
+            dx, dy = reach * math.cos(turn), reach * math.sin(turn)
+            head, tail = f'<linearGradient x1="{x - dx:.4f}" y1="{y - dy:.4f}" x2="{x + dx:.4f}" y2="{y + dy:.4f}"', "linearGradient"
+        stops = [(0, first), (1, second)] if not name.endswith("CYLINDER") else [(0, second), (0.5, first), (1, second)]
+        self.out.append(f'{head} id="g{self.gradients}" gradientUnits="userSpaceOnUse">'
+                        + "".join(f'<stop offset="{at}" stop-color="{c[:7]}"/>' for at, c in stops) + f"</{tail}>")
+        return f"url(#g{self.gradients})"
+
+    def fill(self, steps, color, spacing, ends=None):
         ink, alpha = (color[:7], int(color[7:9], 16) / 255 if len(color) == 9 else 1.0)
+        if ends:
+            ink = self.gradient(steps, ends)
         if spacing:
             alpha *= min(1.0, DOT / max(spacing * self.f, DOT))
         opacity = f' fill-opacity="{alpha:.3f}"' if alpha < 1 else ""
@@ -644,6 +699,9 @@ def report(data, recorder, hand, auditor):
         parts = sorted(hand.left_out.items(), key=lambda part: (-part[1], part[0]))
         more = [f"and {len(parts) - 8} other kinds"] if len(parts) > 8 else []
         say("warning", "left out: " + ", ".join([f"{n} {kind}" for kind, n in parts[:8]] + more))
+    lined = sum(data.count(code) for code in (b"%%u", b"%%U", b"%%o", b"%%O"))
+    if lined:
+        say("warning", f"{lined} underlines and overlines of text are left out")
     if recorder.insane:
         say("warning", f"left out: {recorder.insane} with impossible coordinates")
     if not is_whole(data):
@@ -666,6 +724,9 @@ def draw(data):
         pdmode=None, pdsize=None, line_policy=LinePolicy.SOLID, hatching_timeout=math.inf)
     hand = Draughtsman(Paper(document, export_mode=True), recorder, config)
     hand.draw_layout(layout)
+    strayed = recorder.settle()
+    if strayed:
+        say("warning", f"left out: {strayed} far from all others")
     if recorder.extents.is_empty:
         for how, what in recorder.items:
             if how == "ray":
