@@ -197,12 +197,12 @@ is "a sheet of four lines: it is captured, with one warning" "$status $(grep -c 
 does "capture --free-hand" capture --as-measured --free-hand -o free.pencil hand-0.08mm-hand-?.png
 if [ "$(hand_of free.pencil)" = "a free one" ]; then ok "--free-hand leaves it out"; else fail "--free-hand leaves it out" "$(hand_of free.pencil)"; fi
 is "compare tells hands apart" "$("$PLUMBAGO_PROFILE" compare hand-0.08mm.pencil free.pencil | awk '/^hand/ { print $2, $3 }')" "${steady%% *} 1.000"
-check "a line by a steady hand" "$PLUMBAGO" -p hand-0.08mm.pencil --dump=controls -o steady.txt hand-0.svg
-check "a line by a free hand" "$PLUMBAGO" -p free.pencil --dump=controls -o free.txt hand-0.svg
-if cmp -s steady.txt free.txt; then fail "a profile's hand draws"; else ok "a profile's hand draws"; fi
-check "a squiggle goes by the free hand" "$PLUMBAGO" -p hand-0.08mm.pencil --squiggle 0.3mm --dump=controls -o a.txt hand-0.svg
-check "whatever the profile" "$PLUMBAGO" -p free.pencil --squiggle 0.3mm --dump=controls -o b.txt hand-0.svg
-if cmp -s a.txt b.txt; then ok "with --squiggle the profile's hand does not count"; else fail "with --squiggle the profile's hand does not count"; fi
+check "a line by a steady hand" "$PLUMBAGO" -p hand-0.08mm.pencil --dump=controls -o steady.png hand-0.svg
+check "a line by a free hand" "$PLUMBAGO" -p free.pencil --dump=controls -o free.png hand-0.svg
+if cmp -s steady.png free.png; then fail "a profile's hand draws"; else ok "a profile's hand draws"; fi
+check "a squiggle goes by the free hand" "$PLUMBAGO" -p hand-0.08mm.pencil --squiggle 0.3mm --dump=controls -o a.png hand-0.svg
+check "whatever the profile" "$PLUMBAGO" -p free.pencil --squiggle 0.3mm --dump=controls -o b.png hand-0.svg
+if cmp -s a.png b.png; then ok "with --squiggle the profile's hand does not count"; else fail "with --squiggle the profile's hand does not count"; fi
 
 # ---- capture from the real scans -------------------------------------------------------------------------------
 scans=$SHARED/scans/hdbpmn

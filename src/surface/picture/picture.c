@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * See picture.h: the table of formats, and what all of them share.
+ * See picture.h: the table of formats, and a file from its beginning to its end.
  */
 #include "surface/picture/picture.h"
 
@@ -8,12 +8,8 @@
 #include "surface/picture/formats.h"
 
 #include <errno.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
-
-/* Bytes of the rows that are compressed together: large enough that their own code tables and their flush do not matter. */
-#define PIECE_BYTES (256 * 1024)
 
 /* To add a format, write its file and its row. */
 static const picture_format *const formats[] = {&plb_png_format, &plb_pdf_format, &plb_svg_format, &plb_jpeg_format, &plb_webp_format, &plb_tiff_format};
@@ -90,71 +86,6 @@ bool plb_picture_format_has_pages(const picture_format *f) { return f->has_pages
 bool plb_picture_format_has_paths(const picture_format *f) { return f->has_paths; }
 bool plb_picture_format_is_built(const picture_format *f) { return f->built; }
 
-/* ---- what the formats share ---- */
-
-static page_background background_in(const picture_format *f, const picture_page *sheet)
-{
-    return f->see_through ? sheet->background : PAGE_WHITE;
-}
-
-/* Each row has a byte before it that says how it is filtered, where that matters. */
-static size_t row_bytes(const picture_format *f, const picture_page *sheet)
-{
-    return (size_t)sheet->width * (size_t)plb_page_channels(background_in(f, sheet), sheet->colour) + 1;
-}
-
-int plb_picture_rows(const picture_format *f, const picture_page *sheet)
-{
-    size_t n = PIECE_BYTES / row_bytes(f, sheet);
-    return n < 1 ? 1 : (int)n;
-}
-
-bool plb_picture_put(picture *p, const void *data, size_t n)
-{
-    p->written += n;
-    return p->to.put(p->to.closure, data, n);
-}
-
-bool plb_picture_print(picture *p, const char *format, ...)
-{
-    char text[1024];
-    va_list args;
-    va_start(args, format);
-    int n = vsnprintf(text, sizeof text, format, args);
-    va_end(args);
-    return n >= 0 && n < (int)sizeof text && plb_picture_put(p, text, (size_t)n);
-}
-
-bool plb_picture_fail(const picture *p, error *err)
-{
-    if (errno == ENOMEM)
-        return plb_fail_memory(err);
-    return plb_fail(err, ERROR_FILE, "%s: cannot be written%s%s", p->name, errno ? ": " : "", errno ? strerror(errno) : "");
-}
-
-void plb_picture_row(const picture *p, int y, uint8_t *out)
-{
-    plb_page_row(p->band, background_in(p->format, p->page), y, out);
-}
-
-char *plb_picture_lines(const picture_page *sheet)
-{
-    size_t room = 1;
-    for (const char *const *t = sheet->text; t && t[0]; t += 2)
-        room += strlen(t[0]) + strlen(t[1]) + 3;
-    char *lines = plb_new(room, 1), *to = lines;
-    for (const char *const *t = sheet->text; to && t && t[0]; t += 2)
-        to += snprintf(to, room - (size_t)(to - lines), "%s: %s\n", t[0], t[1]);
-    return lines;
-}
-
-/* Chosen by eye: grain is noise, which low qualities turn into blocks. */
-int plb_picture_quality(int level)
-{
-    static const int quality[] = {100, 92, 90, 88, 85, 82, 78, 74, 70, 65};
-    return quality[level < 0 ? 0 : level > 9 ? 9 : level];
-}
-
 /* ---- a file from its begin to its end ---- */
 
 picture *plb_picture_new(const picture_format *f, const byte_sink *to, const char *name, bool several, error *err)
@@ -196,7 +127,7 @@ bool plb_picture_begin_page(picture *p, const picture_page *sheet, error *err)
     if (!check_page(p, sheet, err))
         return false;
     p->page = sheet;
-    p->channels = plb_page_channels(background_in(p->format, sheet), sheet->colour);
+    p->channels = plb_page_channels(plb_picture_background(p->format, sheet), sheet->colour);
     p->pages++;
     errno = 0;
     return p->format->begin_page(p, err);

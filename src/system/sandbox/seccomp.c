@@ -2,7 +2,7 @@
  *
  * See seccomp.h. The list is the sum of what glibc and musl, GLib, librsvg, fontconfig, Python, poppler and Ghostscript call.
  */
-#define _GNU_SOURCE /* CLONE_THREAD, memfd_create */
+#define _GNU_SOURCE /* CLONE_THREAD, pipe2 */
 #include "system/sandbox/seccomp.h"
 
 #include <errno.h>
@@ -11,7 +11,6 @@
 #include <seccomp.h>
 #include <stddef.h>
 #include <sys/ioctl.h>
-#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/random.h>
 #include <sys/syscall.h>
@@ -111,14 +110,16 @@ static bool allow_all(scmp_filter_ctx list, seccomp_rights rights, const uint64_
            seccomp_rule_add_array(list, SCMP_ACT_ALLOW, SCMP_SYS(execve), SECCOMP_KEY_PARTS, opened) == 0;
 }
 
-/* The kernel's form of the list. libseccomp 2.5 gives it to a descriptor only. */
+/* The kernel's form of the list. libseccomp 2.5 gives it to a descriptor only: a pipe, which holds all of it and to which no
+ * limit on the size of files applies. */
 static bool compile(scmp_filter_ctx list, seccomp_filter *f)
 {
-    int fd = memfd_create("filter", MFD_CLOEXEC);
-    if (fd < 0)
+    int ends[2];
+    if (pipe2(ends, O_CLOEXEC | O_NONBLOCK) != 0)
         return false;
-    ssize_t size = seccomp_export_bpf(list, fd) == 0 ? pread(fd, f->code, sizeof f->code, 0) : 0;
-    close(fd);
+    ssize_t size = seccomp_export_bpf(list, ends[1]) == 0 ? read(ends[0], f->code, sizeof f->code) : 0;
+    close(ends[0]);
+    close(ends[1]);
     bool is_whole = size > 0 && (size_t)size < sizeof f->code && (size_t)size % sizeof *f->code == 0;
     f->n = is_whole ? (unsigned short)((size_t)size / sizeof *f->code) : 0;
     return is_whole;
