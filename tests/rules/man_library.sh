@@ -9,8 +9,8 @@ block() {
         awk -v n="$1" '/^\.Bd -literal/ { k++; inside = 1; next } /^\.Ed/ { inside = 0 } inside && k == n' | sed 's/\\en/\\n/g; s/\\&//g; s/\\-/-/g'
 }
 compile() { # NAME: NAME.c with the library
-    # shellcheck disable=SC2046
-    "${CC:-cc}" -std=c17 -Wall -Wextra -Werror -I"$ROOT/src/api" $(pkg-config --cflags cairo) "$1.c" "$BUILD_DIR/libplumbago.a" $libraries -o "$1"
+    # shellcheck disable=SC2046,SC2086
+    ${CC:-cc} -std=c17 -Wall -Wextra -Werror -I"$ROOT/src/api" $(pkg-config --cflags cairo) "$1.c" "$BUILD_DIR/libplumbago.a" $libraries -o "$1"
 }
 case $BUILD_DIR in
 *asan* | *ubsan* | *tsan* | *cover* | *clang*) skip "the examples of plumbago(3)" "the library of this build needs what its instruments need"; exit ;;

@@ -24,7 +24,7 @@
 /* Nearly white paint hides from this opacity on, if each of its channels is at least so light (chosen by eye). */
 #define VEIL 0.7
 #define VEIL_LIGHT 0.9
-/* What a line in the paper's colour hides is at least so many widths of the pencil broad (chosen by eye: less closes up). */
+/* A line in the paper's colour hides what is at least so many widths of the pencil broad (chosen by eye: less closes up). */
 #define GAP_WIDTHS 0.9
 /* Boxes to a node of the tree. */
 #define FAN 8
@@ -62,7 +62,7 @@ struct occluders {
 
 /* ---- which areas ---- */
 
-/* A veil of paper, as legends have it behind their words, hides as well. */
+/* A veil of paper, as legends lay behind their words, hides as well. */
 static bool is_opaque(const item *it)
 {
     const paint *p = &it->paint;
