@@ -15,7 +15,7 @@ compile() { # NAME: NAME.c with the library
 case $BUILD_DIR in
 *asan* | *ubsan* | *tsan* | *cover* | *clang*) skip "the examples of plumbago(3)" "the library of this build needs what its instruments need"; exit ;;
 esac
-libraries="$(pkg-config --libs cairo libpng zlib $(sed -n 's/^packages_lib = //p' "$ROOT/Makefile") 2>/dev/null) -lm -pthread"
+libraries="$(pkg-config --libs cairo libpng zlib libseccomp; for p in libjpeg libwebp libwebpmux libtiff-4; do pkg-config --exists $p && pkg-config --libs $p; done | tr "\n" " ") -lm -pthread"
 
 block 1 >line.c
 check "the first example is a program" compile line
