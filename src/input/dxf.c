@@ -4,33 +4,18 @@
  * then read like any other SVG. It also chooses the scale on paper, which becomes the list's.
  */
 #include "input/converter.h"
+#include "input/tap.h"
 
 #include "base/number/number.h"
 
 #include <string.h>
 
-enum { TAP_DONE, TAP_USAGE, TAP_MALFORMED, TAP_REFUSED, TAP_WRITE, TAP_LIMIT, TAP_MISSING }; /* see tap_dxf.py */
-
-/* "NAME: text", or "NAME:LINE: text" when the text starts with the line's number and a colon. */
-static bool fail_with_reason(const input_source *in, error_kind kind, char *text, error *err)
-{
-    text[strcspn(text, "\n")] = '\0';
-    size_t digits = strspn(text, "0123456789");
-    bool has_line = digits && text[digits] == ':';
-    return plb_fail(err, kind, "%s:%s%s", in->name, has_line ? "" : " ", *text ? text : "tap-dxf gave up without a word");
-}
-
 /* Says why the process did not succeed. */
 static bool explain_end(const input_source *in, process *p, error *err)
 {
-    static const error_kind kinds[] = {[TAP_MALFORMED] = ERROR_SYNTAX, [TAP_REFUSED] = ERROR_UNSUPPORTED,
-                                       [TAP_LIMIT] = ERROR_LIMIT, [TAP_MISSING] = ERROR_HELPER};
-    error_kind kind = p->code <= TAP_MISSING ? kinds[p->code] : ERROR_NONE;
-    if (kind)
-        return fail_with_reason(in, kind, p->message, err);
     if (p->code == 126 || p->code == 127)
         return plb_fail(err, ERROR_HELPER, "%s: reading DXF needs python3, which does not start", in->name);
-    return plb_fail(err, ERROR_HELPER, "%s: the helper tap-dxf failed (status %d): %.200s", in->name, p->code, p->message);
+    return plb_tap_explain_status(in, "tap-dxf", p, err);
 }
 
 /* Passes on the lines "warning: ..." and "detail: ...". */

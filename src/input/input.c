@@ -11,7 +11,8 @@
 typedef struct {
     const char *name;
     bool (*recognise)(const char *data, size_t size);
-    bool (*read)(const input_source *in, display_list *list, error *err);
+    bool may_be_packed; /* by gzip */
+    bool (*read)(const input_source *in, display_list *list, error *err);     /* runs the taps: see its file */
     bool (*count_pages)(const input_source *in, unsigned *pages, error *err); /* NULL: there is always one */
 } input_format;
 
@@ -83,12 +84,13 @@ static bool is_dxf(const char *data, size_t size)
 /* The display list's own language names itself at the very start. */
 static bool is_list(const char *data, size_t size) { return starts_with(data, size, "plumbago-list", 13); }
 
+/* The first that recognises a file reads it, so the order counts: PDF and PostScript may hold "<svg" near their start. */
 static const input_format formats[] = {
-    {"plumbago-list", is_list, plb_read_list, NULL},
-    {"PostScript", is_postscript, plb_read_postscript, plb_count_postscript_pages},
-    {"PDF", is_pdf, plb_read_pdf, plb_count_pdf_pages},
-    {"SVG", is_svg, plb_read_svg, NULL},
-    {"DXF", is_dxf, plb_read_dxf, NULL},
+    {"plumbago-list", is_list, false, plb_read_list, NULL},
+    {"PostScript", is_postscript, false, plb_read_postscript, plb_count_postscript_pages},
+    {"PDF", is_pdf, false, plb_read_pdf, plb_count_pdf_pages},
+    {"SVG", is_svg, true, plb_read_svg, NULL},
+    {"DXF", is_dxf, false, plb_read_dxf, NULL},
 };
 
 static const input_format *recognise(const char *data, size_t size)
@@ -99,12 +101,12 @@ static const input_format *recognise(const char *data, size_t size)
     return NULL;
 }
 
-/* SVG alone may come packed. */
+/* Refuses a packed drawing of a format whose reader does not unpack. */
 static bool is_packed_drawing(const input_source *in, error *err)
 {
     char start[LOOK_BYTES];
     const input_format *inside = is_gzip(in->data, in->size) ? recognise(start, plb_gzip_look_inside(in->data, in->size, start, sizeof start)) : NULL;
-    if (!inside || !strcmp(inside->name, "SVG"))
+    if (!inside || inside->may_be_packed)
         return false;
     plb_fail(err, ERROR_UNSUPPORTED, "%s: packed (gzip) %s: unpack it first (gunzip -c FILE | plumbago -)", in->name, inside->name);
     return true;

@@ -4,9 +4,8 @@
  * if it is installed; where Ghostscript fails on the file the tap draws the rest alone and the user hears what is
  * missing. A Ghostscript that was stopped by a limit, a full disk or a signal is no answer: then the reading fails.
  */
-#include "input/converter.h"
 #include "input/ghostscript.h"
-#include "list/list_read.h"
+#include "input/tap.h"
 
 #include "base/number/number.h"
 
@@ -17,8 +16,6 @@
 #define NOT_INSTALLED "fonts and shadings need Ghostscript and pdftocairo (Debian: ghostscript, poppler-utils), which are not installed"
 #define FAILS "fonts and shadings need Ghostscript, which fails on this file"
 #define WOULD_HELP "; Ghostscript would help (Debian: ghostscript, poppler-utils)"
-
-enum { TAP_DONE, TAP_USAGE, TAP_MALFORMED, TAP_REFUSED, TAP_WRITE, TAP_LIMIT, TAP_HANDED_OVER = 7 }; /* see tap_ps.c */
 
 typedef enum { DRAWN, FAILED, HANDED_OVER } outcome;
 
@@ -44,62 +41,27 @@ static bool fail_with(const input_source *in, error_kind kind, const char *text,
     return plb_fail(err, kind, "%s:%s%.300s%s", in->name, digits && text[digits] == ':' ? "" : " ", *text ? text : "tap-ps gave up without a word", help);
 }
 
-static outcome explain_end(const input_source *in, process *p, error *err)
+/* Runs the tap onto `list`, which stays as it was unless DRAWN comes of it. */
+static outcome run_tap(const input_source *in, manner how, tap *t, display_list *list, error *err)
 {
-    static const error_kind kinds[] = {[TAP_MALFORMED] = ERROR_SYNTAX, [TAP_REFUSED] = ERROR_UNSUPPORTED, [TAP_LIMIT] = ERROR_LIMIT};
-    error_kind kind = ERROR_NONE;
-    if (!plb_converter_ended_by_itself(in, "tap-ps", p, err))
-        return FAILED;
-    if (p->end == PROCESS_EXITED && p->code == TAP_HANDED_OVER)
-        return HANDED_OVER;
-    if (p->end == PROCESS_EXITED && p->code <= TAP_LIMIT)
-        kind = kinds[p->code];
-    if (kind)
-        fail_with(in, kind, plb_converter_message(p), "", err);
-    else
-        plb_fail(err, ERROR_HELPER, "%s: the helper tap-ps failed (status %d): %.200s", in->name, p->code, plb_converter_message(p));
-    return FAILED;
-}
-
-static bool refill(void *closure, const char **data, size_t *size)
-{
-    return plb_process_read(closure, data, size);
-}
-
-/* Runs the tap onto `list`, which stays as it was unless DRAWN comes of it; the page's number is checked. */
-static outcome run_tap(const input_source *in, manner how, process *p, display_list *list, unsigned long *pages, error *err)
-{
-    char program[PROCESS_PATH_MAX], number[16];
-    const char *argv[5] = {"tap-ps"};
+    char number[16];
     int n = 1;
-    error reading = {ERROR_NONE, ""};
+    error why = {ERROR_NONE, ""};
+    *t = (tap){.who = "tap-ps", .argv = {"tap-ps"}};
     if (how.alone)
-        argv[n++] = "--alone";
-    if (how.page)
-        argv[n++] = how.page;
-    else if (in->page) {
+        t->argv[n++] = "--alone";
+    if (how.page) {
+        t->argv[n++] = how.page;
+    } else if (in->page) {
         snprintf(number, sizeof number, "%u", in->page);
-        argv[n++] = "--page";
-        argv[n++] = number;
+        t->argv[n++] = "--page";
+        t->argv[n++] = number;
     }
-    argv[n] = NULL;
-    if (!plb_process_find(in->helper_dir, argv[0], program, &reading) || !plb_converter_start(in, argv[0], program, argv, p, &reading)) {
-        plb_fail(err, reading.kind, "%s: %s", in->name, reading.text);
-        return FAILED;
-    }
-    list_source from = {.refill = refill, .closure = p, .name = in->name, .say = in->say};
-    plb_list_read(&from, list, &reading);
-    bool stopped_early = !from.complete && p->out >= 0;
-    plb_process_finish(p);
-    *pages = from.pages;
-    if (from.complete && p->end == PROCESS_EXITED && p->code == TAP_DONE)
-        return DRAWN;
-    plb_list_free(list);
-    plb_list_init(list);
-    if (!stopped_early && (p->end != PROCESS_EXITED || p->code != TAP_DONE))
-        return explain_end(in, p, err);
-    bool plain = reading.kind == ERROR_LIMIT || reading.kind == ERROR_MEMORY;
-    plb_fail(err, reading.kind, "%s: %s%s", in->name, plain ? "" : "cannot read what tap-ps wrote: ", reading.text);
+    bool drawn = plb_tap_read(in, t, list, &why);
+    t->argv[1] = NULL; /* the number lives here only */
+    if (drawn || plb_tap_ended_with(t, TAP_HANDED_OVER))
+        return drawn ? DRAWN : HANDED_OVER;
+    plb_fail(err, why.kind, "%s", why.text);
     return FAILED;
 }
 
@@ -153,14 +115,13 @@ static bool has_page(const input_source *in, unsigned long pages, error *err)
 /* Draws the page without Ghostscript; `why` tells what it would need, or do. */
 static bool draw_alone(const input_source *in, const char *why, display_list *list, error *err)
 {
-    process p;
-    unsigned long pages = 0;
+    tap t;
     handover rest;
-    outcome o = run_tap(in, (manner){.alone = true}, &p, list, &pages, err);
+    outcome o = run_tap(in, (manner){.alone = true}, &t, list, err);
     if (o == HANDED_OVER)
-        return read_handover(in, &p, &rest, err) &&
+        return read_handover(in, &t.process, &rest, err) &&
                fail_with(in, rest.is_unknown ? ERROR_UNSUPPORTED : ERROR_SYNTAX, rest.reason, rest.is_unknown && !plb_ghostscript_is_there() ? WOULD_HELP : "", err);
-    if (o == FAILED || !has_page(in, pages, err))
+    if (o == FAILED || !has_page(in, t.pages, err))
         return false;
     if (list->omissions.n[OMISSION_TEXT] || list->omissions.n[OMISSION_SHADING])
         plb_omissions_advise(&list->omissions, why);
@@ -194,34 +155,32 @@ static bool draw_by_ghostscript(const input_source *in, process *p, display_list
 
 bool plb_read_postscript(const input_source *in, display_list *list, error *err)
 {
-    process p;
-    unsigned long pages = 0;
+    tap t;
     error why = {ERROR_NONE, ""};
     if (!plb_ghostscript_is_there())
         return draw_alone(in, NOT_INSTALLED, list, err);
-    outcome o = run_tap(in, (manner){.alone = false}, &p, list, &pages, err);
+    outcome o = run_tap(in, (manner){.alone = false}, &t, list, err);
     if (o != HANDED_OVER)
-        return o == DRAWN && has_page(in, pages, err);
-    if (draw_by_ghostscript(in, &p, list, &why))
+        return o == DRAWN && has_page(in, t.pages, err);
+    if (draw_by_ghostscript(in, &t.process, list, &why))
         return true;
     return why.kind ? plb_fail(err, why.kind, "%s", why.text) : draw_alone(in, FAILS, list, err);
 }
 
 bool plb_count_postscript_pages(const input_source *in, unsigned *pages, error *err)
 {
-    process p;
+    tap t;
     display_list list;
-    unsigned long counted = 0;
     handover rest;
     error why = {ERROR_NONE, ""};
     bool there = plb_ghostscript_is_there();
     plb_list_init(&list);
-    outcome o = run_tap(in, (manner){.page = "--count", .alone = !there}, &p, &list, &counted, err);
+    outcome o = run_tap(in, (manner){.page = "--count", .alone = !there}, &t, &list, err);
     plb_list_free(&list);
-    *pages = counted ? (unsigned)counted : 1;
+    *pages = t.pages ? (unsigned)t.pages : 1;
     if (o != HANDED_OVER)
         return o == DRAWN;
-    if (!read_handover(in, &p, &rest, err))
+    if (!read_handover(in, &t.process, &rest, err))
         return false;
     return (there && plb_count_pages_by_ghostscript(&rest.program, &rest.page, pages, &why)) ||
            fail_with(in, rest.is_unknown ? ERROR_UNSUPPORTED : ERROR_SYNTAX, rest.reason, rest.is_unknown && !there ? WOULD_HELP : "", err);

@@ -20,32 +20,35 @@ bool plb_tap_ended_with(const tap *t, tap_status status)
 }
 
 /* "NAME: text", or "NAME:LINE: text" when the text starts with the line's number and a colon. */
-static bool fail_with_message(const input_source *in, tap *t, error_kind kind, error *err)
+static bool fail_with_message(const input_source *in, const char *program, process *p, error_kind kind, error *err)
 {
-    const char *text = plb_converter_message(&t->process);
+    const char *text = plb_converter_message(p);
     size_t digits = strspn(text, "0123456789");
     bool has_line = digits && text[digits] == ':';
     if (!*text)
-        return plb_fail(err, kind, "%s: %s gave up without a word", in->name, t->argv[0]);
+        return plb_fail(err, kind, "%s: %s gave up without a word", in->name, program);
     return plb_fail(err, kind, "%s:%s%.400s", in->name, has_line ? "" : " ", text);
+}
+
+bool plb_tap_explain_status(const input_source *in, const char *program, process *p, error *err)
+{
+    static const error_kind kinds[] = {[TAP_MALFORMED] = ERROR_SYNTAX, [TAP_REFUSED] = ERROR_UNSUPPORTED, [TAP_LIMIT] = ERROR_LIMIT,
+                                       [TAP_MISSING] = ERROR_HELPER};
+    if (p->code == TAP_HANDED_OVER) /* its message stays as it is: it tells the other program what to do */
+        return plb_fail(err, ERROR_UNSUPPORTED, "%s: %s leaves it to another program", in->name, program);
+    if (p->code >= 0 && p->code < TAP_HANDED_OVER && kinds[p->code])
+        return fail_with_message(in, program, p, kinds[p->code], err);
+    return plb_fail(err, ERROR_HELPER, "%s: the helper %s failed (status %d): %.200s", in->name, program, p->code, plb_converter_message(p));
 }
 
 /* Says why the tap did not succeed. */
 static bool explain_end(const input_source *in, tap *t, error *err)
 {
-    static const error_kind kinds[] = {[TAP_MALFORMED] = ERROR_SYNTAX, [TAP_REFUSED] = ERROR_UNSUPPORTED, [TAP_LIMIT] = ERROR_LIMIT,
-                                       [TAP_MISSING] = ERROR_HELPER};
-    int code = t->process.code;
     error why = {ERROR_NONE, ""};
-    if (!plb_converter_ended_by_itself(in, t->who, &t->process, &why)) {
-        t->crashed = why.kind == ERROR_HELPER;
-        return plb_fail(err, why.kind, "%s", why.text);
-    }
-    if (code == TAP_HANDED_OVER) /* its message stays as it is: it tells the other program what to do */
-        return plb_fail(err, ERROR_UNSUPPORTED, "%s: %s leaves it to another program", in->name, t->argv[0]);
-    if (code >= 0 && code < TAP_HANDED_OVER && kinds[code])
-        return fail_with_message(in, t, kinds[code], err);
-    return plb_fail(err, ERROR_HELPER, "%s: the helper %s failed (status %d): %.200s", in->name, t->argv[0], code, plb_converter_message(&t->process));
+    if (plb_converter_ended_by_itself(in, t->who, &t->process, &why))
+        return plb_tap_explain_status(in, t->argv[0], &t->process, err);
+    t->crashed = why.kind == ERROR_HELPER;
+    return plb_fail(err, why.kind, "%s", why.text);
 }
 
 /* Says what is wrong with the text itself: a limit is the drawing's fault, all else the tap's. */

@@ -25,4 +25,7 @@ bool plb_tap_read(const input_source *in, tap *t, display_list *list, error *err
 /* Did the tap end by itself with this status? */
 bool plb_tap_ended_with(const tap *t, tap_status status);
 
+/* Says why a tap ended with another status than TAP_DONE, for those who run it otherwise than by plb_tap_read; false always. */
+bool plb_tap_explain_status(const input_source *in, const char *program, process *p, error *err);
+
 #endif

@@ -5,14 +5,14 @@
  *     tap-ps [--page N] [--alone] [--count] <drawing.ps >list
  *
  * --alone: there is no Ghostscript; what it would draw is left out and counted. --count: the list is empty, it only says
- * how many pages there are. Exit status 0: that is done. 7: Ghostscript should draw the page; nothing was written, the
- * lines on standard error are for the caller: which sheet (0: all), whether
+ * how many pages there are. Exit statuses are those of list/tap_status.h, and 125: no memory. TAP_HANDED_OVER: Ghostscript
+ * should draw the page; nothing was written, the lines on standard error are for the caller: which sheet (0: all), whether
  * its end is missing, its area in points, where the program starts and how long it is, whether something unknown was met;
- * a reason, and what the user should hear. 2 (malformed),
- * 3 (refused), 5 (a limit), 125 (no memory): one line on standard error says why, "LINE: text" or "text".
+ * a reason, and what the user should hear.
  */
 #include "base/number/number.h"
 #include "list/list_write.h"
+#include "list/tap_status.h"
 #include "tap/common/tap_memory.h"
 #include "tap/ps/postscript.h"
 
@@ -21,8 +21,6 @@
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-enum { EXIT_DONE, EXIT_USAGE, EXIT_MALFORMED, EXIT_REFUSED, EXIT_WRITE, EXIT_LIMIT, EXIT_HANDED_OVER = 7 };
 
 #define PART_BYTES ((size_t)1 << 18)
 #define MAX_BYTES ((size_t)256 << 20)
@@ -44,7 +42,7 @@ static char *read_file(size_t *size)
             capacity = capacity ? capacity * 2 : 2 * PART_BYTES;
             char *more = *size > MAX_BYTES ? NULL : realloc(all, capacity);
             if (!more)
-                quit(EXIT_LIMIT, "the file is too large");
+                quit(TAP_LIMIT, "the file is too large");
             all = more;
         }
         ssize_t n = read(STDIN_FILENO, all + *size, PART_BYTES);
@@ -99,12 +97,12 @@ static void __attribute__((noreturn)) hand_over(const ps_request *ask, const ps_
     for (int i = 0; answer->warnings[i]; i++)
         fprintf(stderr, "%s\n", answer->warnings[i]);
     fflush(stderr);
-    _exit(EXIT_HANDED_OVER);
+    _exit(TAP_HANDED_OVER);
 }
 
 static int status_of(error_kind kind)
 {
-    return kind == ERROR_SYNTAX ? EXIT_MALFORMED : kind == ERROR_MEMORY ? TAP_EXIT_MEMORY : kind == ERROR_LIMIT ? EXIT_LIMIT : EXIT_REFUSED;
+    return kind == ERROR_SYNTAX ? TAP_MALFORMED : kind == ERROR_MEMORY ? TAP_EXIT_MEMORY : kind == ERROR_LIMIT ? TAP_LIMIT : TAP_REFUSED;
 }
 
 static ps_request read_command_line(int argc, char **argv)
@@ -119,7 +117,7 @@ static ps_request read_command_line(int argc, char **argv)
         else if (!strcmp(argv[i], "--count"))
             ask.only_count = true;
         else
-            quit(EXIT_USAGE, "usage: tap-ps [--page N] [--alone] [--count] <drawing.ps >list");
+            quit(TAP_USAGE, "usage: tap-ps [--page N] [--alone] [--count] <drawing.ps >list");
     }
     return ask;
 }
@@ -137,5 +135,5 @@ int main(int argc, char **argv)
         hand_over(&ask, &answer, &why);
     if (outcome == PS_FAILED)
         quit(status_of(why.kind), why.text);
-    _exit(write_list(&list, &answer) ? EXIT_DONE : EXIT_WRITE); /* no time for tidying up */
+    _exit(write_list(&list, &answer) ? TAP_DONE : TAP_WRITE); /* no time for tidying up */
 }
