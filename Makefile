@@ -141,9 +141,9 @@ tap_twice = $(if $(filter tsan,$(BUILD)),again/)
 tap_base  = $(patsubst src/%.c,$(O)/$(tap_twice)%.o,$(call below,src/base,*.c) $(call below,src/list,*.c) src/tap/common/scan.c)
 tap_common = $(patsubst %,$(O)/tap/common/%.o,$(1))
 script_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/cairoscript*.c)) $(call tap_common,tap_area)
-rewrite_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/rewrite/*.c)) $(O)/tap/plain/plain_colour.o $(O)/tap/plain/plain_text.o
+rewrite_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/rewrite/*.c)) $(call tap_common,tap_colour)
 svg_obj   = $(O)/tap/svg/tap_svg.o $(script_obj) $(rewrite_obj) $(call tap_common,tap_memory tap_omissions tap_page) $(tap_base)
-plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain/plain_*.c)) $(call tap_common,tap_area tap_page)
+plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain/plain_*.c)) $(call tap_common,tap_area tap_colour tap_page)
 tap_obj   = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tap/ps/%,$(call below,src/tap,*.c)))
 $(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/flags
 	$(say) CC $<

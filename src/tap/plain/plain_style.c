@@ -1,6 +1,8 @@
 /* SPDX-License-Identifier: MIT */
 #include "tap/plain/plain_style.h"
 
+#include "tap/common/tap_colour.h"
+
 #include <math.h>
 #include <string.h>
 
@@ -24,6 +26,15 @@ plain_paint plb_plain_stroke(const plain_style *s) { return resolve(s, s->stroke
 
 /* ---- properties --------------------------------------------------------------------------------------------- */
 
+static bool set_solid(plain_paint *p, plain_text value)
+{
+    unsigned rgb;
+    if (!plb_tap_colour(value.at, value.end, &rgb))
+        return false;
+    *p = (plain_paint){.red = (unsigned char)(rgb >> 16), .green = (unsigned char)(rgb >> 8 & 255), .blue = (unsigned char)(rgb & 255)};
+    return true;
+}
+
 static bool set_paint(plain_paint *p, plain_text value)
 {
     if (plb_plain_is(value, "none")) {
@@ -34,13 +45,13 @@ static bool set_paint(plain_paint *p, plain_text value)
         *p = (plain_paint){.is_current = true};
         return true;
     }
-    return plb_plain_colour(value, p);
+    return set_solid(p, value);
 }
 
 static bool set_fill(plain_style *s, plain_text value) { return set_paint(&s->fill, value); }
 static bool set_stroke(plain_style *s, plain_text value) { return set_paint(&s->stroke, value); }
 
-static bool set_colour(plain_style *s, plain_text value) { return plb_plain_colour(value, &s->colour); }
+static bool set_colour(plain_style *s, plain_text value) { return set_solid(&s->colour, value); }
 
 static bool read_opacity(plain_text value, double *v)
 {

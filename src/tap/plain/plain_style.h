@@ -52,9 +52,6 @@ bool plb_plain_declarations(plain_style *s, plain_text style);
 plain_paint plb_plain_fill(const plain_style *s);
 plain_paint plb_plain_stroke(const plain_style *s);
 
-/* A colour, by name or number (plain_colour.c). */
-bool plb_plain_colour(plain_text t, plain_paint *p);
-
 /* A transform attribute: from the element's units to its parent's; can be inverted. */
 bool plb_plain_transform(plain_text t, matrix *m);
 

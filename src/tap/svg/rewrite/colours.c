@@ -2,7 +2,7 @@
 #include "tap/svg/rewrite/colours.h"
 
 #include "base/geometry/geom.h"
-#include "tap/plain/plain_style.h"
+#include "tap/common/tap_colour.h"
 
 #include <math.h>
 #include <string.h>
@@ -219,14 +219,14 @@ static bool read_hex(const char *text, size_t length, colour *c)
 
 static bool read_name(const char *text, size_t length, colour *c)
 {
-    plain_paint p;
+    unsigned rgb;
     if (length == 11 && !g_ascii_strncasecmp(text, "transparent", 11)) {
         *c = (colour){{0, 0, 0}, 0};
         return true;
     }
-    if (!plb_plain_colour((plain_text){text, text + length}, &p))
+    if (!plb_tap_colour(text, text + length, &rgb))
         return false;
-    *c = (colour){{p.red / 255.0, p.green / 255.0, p.blue / 255.0}, 1};
+    *c = (colour){{(rgb >> 16) / 255.0, (rgb >> 8 & 255) / 255.0, (rgb & 255) / 255.0}, 1};
     return true;
 }
 

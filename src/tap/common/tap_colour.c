@@ -1,8 +1,5 @@
-/* SPDX-License-Identifier: MIT
- *
- * Colours: the names of SVG 1.1 (section 4.4), #rgb, #rrggbb, rgb(r, g, b) of whole numbers.
- */
-#include "tap/plain/plain_style.h"
+/* SPDX-License-Identifier: MIT */
+#include "tap/common/tap_colour.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -52,23 +49,18 @@ static const named_colour names[] = {
 
 static int compare_names(const void *name, const void *entry) { return strcmp(name, ((const named_colour *)entry)->name); }
 
-static void set(plain_paint *p, unsigned rgb)
-{
-    *p = (plain_paint){.red = (unsigned char)(rgb >> 16), .green = (unsigned char)(rgb >> 8 & 255), .blue = (unsigned char)(rgb & 255)};
-}
-
-static bool find_name(plain_text t, plain_paint *p)
+static bool find_name(const char *at, const char *end, unsigned *rgb)
 {
     char name[LONGEST_NAME + 1];
-    size_t n = (size_t)(t.end - t.at);
+    size_t n = (size_t)(end - at);
     if (n > LONGEST_NAME)
         return false;
     for (size_t i = 0; i < n; i++)
-        name[i] = t.at[i] >= 'A' && t.at[i] <= 'Z' ? (char)(t.at[i] | 32) : t.at[i];
+        name[i] = at[i] >= 'A' && at[i] <= 'Z' ? (char)(at[i] | 32) : at[i];
     name[n] = '\0';
     const named_colour *found = bsearch(name, names, sizeof names / sizeof *names, sizeof *names, compare_names);
     if (found)
-        set(p, found->rgb);
+        *rgb = found->rgb;
     return found != NULL;
 }
 
@@ -80,48 +72,57 @@ static int digit_of(char c)
     return c >= 'a' && c <= 'f' ? c - 'a' + 10 : -1;
 }
 
-static bool read_digits(plain_text t, plain_paint *p)
+static bool read_digits(const char *at, const char *end, unsigned *rgb)
 {
-    unsigned rgb = 0;
-    size_t n = (size_t)(t.end - t.at);
+    unsigned v = 0;
+    size_t n = (size_t)(end - at);
     if (n != 3 && n != 6)
         return false;
     for (size_t i = 0; i < n; i++) {
-        int digit = digit_of(t.at[i]);
+        int digit = digit_of(at[i]);
         if (digit < 0)
             return false;
-        rgb = n == 3 ? rgb << 8 | (unsigned)digit * 17 : rgb << 4 | (unsigned)digit;
+        v = n == 3 ? v << 8 | (unsigned)digit * 17 : v << 4 | (unsigned)digit;
     }
-    set(p, rgb);
+    *rgb = v;
     return true;
 }
 
-/* A whole number up to 255 and what ends it. */
-static bool read_part(plain_text *t, char end, unsigned *v)
+static const char *skip_blanks(const char *at, const char *end)
 {
-    plb_plain_blank(t);
-    const char *start = t->at;
-    for (*v = 0; t->at < t->end && t->at < start + 3 && digit_of(*t->at) >= 0 && digit_of(*t->at) < 10; t->at++)
-        *v = *v * 10 + (unsigned)digit_of(*t->at);
-    bool some = t->at > start;
-    plb_plain_blank(t);
-    return some && *v <= 255 && t->at < t->end && *t->at++ == end;
+    while (at < end && memchr(" \t\n\r\f", *at, 5))
+        at++;
+    return at;
 }
 
-static bool read_parts(plain_text t, plain_paint *p)
+/* Reads a whole number up to 255 and the sign that follows it, with blanks around the number; moves `at` past both. */
+static bool read_part(const char **at, const char *end, char sign, unsigned *v)
+{
+    const char *start = skip_blanks(*at, end), *p = start;
+    for (*v = 0; p < end && p < start + 3 && digit_of(*p) >= 0 && digit_of(*p) < 10; p++)
+        *v = *v * 10 + (unsigned)digit_of(*p);
+    bool some = p > start;
+    p = skip_blanks(p, end);
+    if (!some || *v > 255 || p == end || *p != sign)
+        return false;
+    *at = p + 1;
+    return true;
+}
+
+static bool read_parts(const char *at, const char *end, unsigned *rgb)
 {
     unsigned r, g, b;
-    if (!read_part(&t, ',', &r) || !read_part(&t, ',', &g) || !read_part(&t, ')', &b) || t.at != t.end)
+    if (!read_part(&at, end, ',', &r) || !read_part(&at, end, ',', &g) || !read_part(&at, end, ')', &b) || at != end)
         return false;
-    set(p, r << 16 | g << 8 | b);
+    *rgb = r << 16 | g << 8 | b;
     return true;
 }
 
-bool plb_plain_colour(plain_text t, plain_paint *p)
+bool plb_tap_colour(const char *at, const char *end, unsigned *rgb)
 {
-    if (t.at < t.end && *t.at == '#')
-        return read_digits((plain_text){t.at + 1, t.end}, p);
-    if (t.end - t.at > 4 && !memcmp(t.at, "rgb(", 4))
-        return read_parts((plain_text){t.at + 4, t.end}, p);
-    return find_name(t, p);
+    if (at < end && *at == '#')
+        return read_digits(at + 1, end, rgb);
+    if (end - at > 4 && !memcmp(at, "rgb(", 4))
+        return read_parts(at + 4, end, rgb);
+    return find_name(at, end, rgb);
 }
