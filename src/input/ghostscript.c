@@ -17,7 +17,6 @@
 #define PROGRAM "gs"
 #define WHO "Ghostscript"
 #define DISK_IS_FULL "/ioerror" /* in its message; it reads no file but ours and writes none but temporary ones */
-#define MM_PER_POINT (MM_PER_INCH / 72)
 
 bool plb_ghostscript_is_there(void)
 {

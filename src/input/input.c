@@ -17,7 +17,7 @@ typedef struct {
 } input_format;
 
 /* A sign of the format lies within so many bytes of the start. */
-#define LOOK_BYTES ((size_t)4096)
+#define SIGN_BYTES ((size_t)4096)
 
 static bool starts_with(const char *data, size_t size, const char *sign, size_t n)
 {
@@ -27,8 +27,8 @@ static bool starts_with(const char *data, size_t size, const char *sign, size_t 
 static bool contains(const char *data, size_t size, const char *sign)
 {
     size_t n = strlen(sign);
-    if (size > LOOK_BYTES)
-        size = LOOK_BYTES;
+    if (size > SIGN_BYTES)
+        size = SIGN_BYTES;
     for (size_t i = 0; i + n <= size; i++)
         if (!memcmp(data + i, sign, n))
             return true;
@@ -104,7 +104,7 @@ static const input_format *recognise(const char *data, size_t size)
 /* Refuses a packed drawing of a format whose reader does not unpack. */
 static bool is_packed_drawing(const input_source *in, error *err)
 {
-    char start[LOOK_BYTES];
+    char start[SIGN_BYTES];
     const input_format *inside = is_gzip(in->data, in->size) ? recognise(start, plb_gzip_look_inside(in->data, in->size, start, sizeof start)) : NULL;
     if (!inside || inside->may_be_packed)
         return false;

@@ -10,14 +10,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#define PART_BYTES ((size_t)1 << 16)
+#define READ_BYTES ((size_t)1 << 16)
 
 typedef ARRAY(char) bytes;
 
 static bool read_all(int fd, const char *name, bytes *all, error *err)
 {
     for (;;) {
-        if (!array_reserve(all, PART_BYTES))
+        if (!array_reserve(all, READ_BYTES))
             return plb_fail_memory(err);
         ssize_t n = read(fd, all->v + all->n, all->capacity - all->n);
         if (n < 0 && errno == EINTR)

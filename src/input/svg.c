@@ -10,7 +10,7 @@
 
 /* ---- plain drawings ----------------------------------------------------------------------------------------- */
 
-#define LOOK_BYTES ((size_t)1 << 16)
+#define PLAIN_LOOK_BYTES ((size_t)1 << 16)
 
 static bool holds(const char *data, size_t size, const char *word)
 {
@@ -27,7 +27,7 @@ static bool holds(const char *data, size_t size, const char *word)
 static bool looks_plain(const input_source *in)
 {
     static const char *const others[] = {"<text", "<use", "<style", "<image", "<clipPath", "<symbol", "url(", "\x1f\x8b", NULL};
-    size_t size = in->size < LOOK_BYTES ? in->size : LOOK_BYTES;
+    size_t size = in->size < PLAIN_LOOK_BYTES ? in->size : PLAIN_LOOK_BYTES;
     const char *const *word = others;
     while (*word && !holds(in->data, size, *word))
         word++;

@@ -9,6 +9,7 @@
 #include <stdbool.h>
 
 #define MM_PER_INCH 25.4
+#define MM_PER_POINT (MM_PER_INCH / 72) /* the point of PostScript and PDF */
 #define PAPER_PX_PER_INCH 300.0
 #define MM_PER_PAPER_PX (MM_PER_INCH / PAPER_PX_PER_INCH)
 

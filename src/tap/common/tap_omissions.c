@@ -16,7 +16,7 @@
 
 /* librsvg stops beyond 500,000 elements; its documents are no deeper than a few hundred. */
 #define MAX_VISITS 1000000ul
-#define DEEPEST 1000
+#define MAX_DEPTH 1000
 
 typedef struct {
     omissions lost;
@@ -157,7 +157,7 @@ static bool visit(walk *w, xmlNode *n, int depth)
 {
     static const char *const unseen[] = {"defs", "symbol", "clipPath", "mask", "pattern", "marker", "filter", "linearGradient",
                                          "radialGradient", "style", "script", "title", "desc", "metadata", "namedview", NULL};
-    if (depth > DEEPEST || ++w->visits > MAX_VISITS || n->type != XML_ELEMENT_NODE || is_any(n, unseen) || !is_displayed(n))
+    if (depth > MAX_DEPTH || ++w->visits > MAX_VISITS || n->type != XML_ELEMENT_NODE || is_any(n, unseen) || !is_displayed(n))
         return false;
     if (!visit_inside(w, n, depth))
         return false;

@@ -11,7 +11,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#define DEEPEST 200
+#define MAX_LEVELS 200
 #define MAX_ELEMENTS 1000000ul /* librsvg refuses more */
 #define SVG_NAMESPACE "http://www.w3.org/2000/svg"
 
@@ -35,7 +35,7 @@ typedef struct {
 typedef struct {
     xmlParserCtxt *parser;
     char *why;           /* not plain; empty: so far it is */
-    level levels[DEEPEST];
+    level levels[MAX_LEVELS];
     int depth;           /* levels in use; the outermost element has the first */
     unsigned skipped;    /* depth within an element that draws nothing */
     unsigned long elements;
@@ -347,7 +347,7 @@ static bool place_element(reader *r, const element *e, const attributes *a, leve
 static bool open_element(reader *r, const element *e, const xmlChar **raw, int n)
 {
     attributes a = {.style = {NULL, NULL}};
-    if (r->depth == DEEPEST || ++r->elements > MAX_ELEMENTS)
+    if (r->depth == MAX_LEVELS || ++r->elements > MAX_ELEMENTS)
         return refuse(r, "too deep or too many:", words(e->name));
     level *l = &r->levels[r->depth];
     if (r->depth)

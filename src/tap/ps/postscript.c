@@ -12,7 +12,6 @@
 #include <math.h>
 #include <string.h>
 
-#define MM_PER_POINT (MM_PER_INCH / 72)
 /* The page of a file that names none: A4. */
 #define DEFAULT_WIDTH 595.0
 #define DEFAULT_HEIGHT 842.0

@@ -180,7 +180,7 @@ static bool run_token(script_state *s, const token *t)
 
 /* ---- pieces of text ----------------------------------------------------------------------------------------- */
 
-#define PART_BYTES ((size_t)1 << 16)
+#define SCRIPT_PART_BYTES ((size_t)1 << 16)
 
 /* The scanner wants more than there is. */
 static bool note_end(void *closure, const char **data, size_t *size)
@@ -242,7 +242,7 @@ cairoscript *plb_cairoscript_new(list_writer *out, double width, double height, 
     s->to_page = to_page;
     s->out = out;
     s->written = to_page;
-    s->part = PART_BYTES;
+    s->part = SCRIPT_PART_BYTES;
     plb_scan_init(&s->scan, "", 0);
     return s;
 }
@@ -261,7 +261,7 @@ bool plb_cairoscript_feed(cairoscript *s, const char *data, size_t n, error *err
     memmove(s->text.v, s->scan.at, left);
     s->text.n = left;
     /* A long token is tried again when there is twice as much of it: time stays in proportion. */
-    s->part = 2 * left > PART_BYTES ? 2 * left : PART_BYTES;
+    s->part = 2 * left > SCRIPT_PART_BYTES ? 2 * left : SCRIPT_PART_BYTES;
     return true;
 }
 
