@@ -31,11 +31,11 @@ has "the group's opacity is its shapes'" '^fill - colour 0 0 0 0.5 '
 tap "an L-shape in a turned root" 0 <<<"$root width='100' height='100' transform='rotate(10)'>$corner</svg>"
 tap "a box far to the left" 0 <<<"$root width='100' height='100'><rect x='-1e5' width='2e5' height='9'/></svg>"
 tap "an L-shape in a pattern" 0 <<<"$root width='100' height='100'><pattern id='p' width='.2' height='.2'>$corner</pattern><rect width='90' height='90' fill='url(#p)'/></svg>"
-has "the pattern's fill is there" '^fill - pattern '
+has "the pattern's tiles are there" '^fill [0-9]+ colour '
 tap "a clip path in box units" 0 <<<"$root width='100' height='100'><clipPath id='c' clipPathUnits='objectBoundingBox'><rect width='.5' height='.5'/></clipPath><circle r='50' clip-path='url(#c)'/></svg>"
-tap "images, masks and filters are counted" 0 <<<"$root width='100' height='100'><mask id='m'/><filter id='f'/><image width='9' height='9'/><g mask=\"url(#m)\">$corner</g><g style='filter:url(#f)'>$corner</g><g filter=\"url(#f)\">$corner</g></svg>"
+tap "images, masks and filters are counted" 0 <<<"$root width='100' height='100'><mask id='m'><rect width='9' height='9' fill='#fff'/></mask><filter id='f'><feOffset dx='1'/></filter><image width='9' height='9'/><g mask=\"url(#m)\">$corner</g><g style='filter:url(#f)'>$corner</g><g filter=\"url(#f)\">$corner</g></svg>"
 has "one image" '^omit image 1$'
-has "one mask" '^omit mask 1$'
+if grep -q "^omit mask" list; then fail "a mask that clips is no omission" "$(grep ^omit list)"; else ok "a mask that clips is no omission"; fi
 has "two filters" '^omit filter 2$'
 tap "no size: that of what is drawn" 0 <<<"$root><path d='M30 30h60v96h-60' fill='none' stroke='red' stroke-width='.001'/></svg>"
 has "the extents" '^page 15.87[45][0-9]* 25.4'
@@ -46,7 +46,7 @@ if grep -q ' M ' list; then fail "no text" "there is a path"; else ok "no text";
 tap "empty input" 2 </dev/null
 tap "not XML" 2 <<<"hello"
 tap "malformed XML" 2 <<<"$root width='9' height='9'>$corner<g></svg>"
-if grep -q 'on line [0-9]' said; then ok "the message has the line"; else fail "the message has the line" "$(cat said)"; fi
+if grep -q '^[0-9]*: not well-formed' said; then ok "the message has the line"; else fail "the message has the line" "$(cat said)"; fi
 tap "malformed XML, recovered" 0 --recover <<<"$root width='9' height='9'>$corner<g></svg>"
 has "what could be read is there" '^fill '
 tap "Latin-1 that claims to be UTF-8, recovered" 0 --recover < <(printf '%s><text>\xa9 \xe9</text>%s</svg>' "$root width='9' height='9'" "$corner")

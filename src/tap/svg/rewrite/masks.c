@@ -227,9 +227,25 @@ static void rewrite_mask(rewriting *r, xmlNode *n, xmlNode *mask)
 
 /* ---- clipped clip paths ------------------------------------------------------------------------------------- */
 
+/* Whether clip paths clip each other in a circle: librsvg then draws nothing. */
+static bool goes_in_circles(rewriting *r, const xmlNode *clip)
+{
+    int depth = 0;
+    for (; clip && depth < MAX_SHAPES; depth++) {
+        char *outer = plb_css_value(r->sheet, clip, "clip-path");
+        clip = plb_node_referred(r->ids, outer);
+        g_free(outer);
+    }
+    return depth == MAX_SHAPES;
+}
+
 static void rewrite_clip(rewriting *r, xmlNode *n, xmlNode *clip)
 {
     char *outer = plb_css_value(r->sheet, clip, "clip-path");
+    if (goes_in_circles(r, clip)) {
+        g_free(outer);
+        return;
+    }
     for (int depth = 0; outer && strncmp(outer, "url", 3) == 0 && depth < MAX_SHAPES; depth++) {
         xmlNode *next = plb_node_referred(r->ids, outer);
         if (!next || !plb_node_is(next, "clipPath"))
