@@ -36,16 +36,16 @@ static bool radial_offset(const gradient *g, point p, double *t)
     return r0 + *t * grow >= 0;
 }
 
-static bool extend(gradient_extend how, double *t)
+static bool extend(gradient_extend extension, double *t)
 {
     if (*t >= 0 && *t <= 1)
         return true;
-    if (how == GRADIENT_REPEAT)
+    if (extension == GRADIENT_REPEAT)
         *t -= floor(*t);
-    if (how == GRADIENT_REFLECT)
+    if (extension == GRADIENT_REFLECT)
         *t = fabs(*t - 2 * floor(*t / 2 + 0.5));
     *t = fmin(fmax(*t, 0), 1);
-    return how != GRADIENT_ENDS;
+    return extension != GRADIENT_ENDS;
 }
 
 static paint mix(const gradient_stop *a, const gradient_stop *b, double t)

@@ -88,11 +88,11 @@ bool plb_list_next_line(list_scan *s)
     return true;
 }
 
-bool plb_list_take_text(list_scan *s, char *text, size_t room)
+bool plb_list_take_text(list_scan *s, char *text, size_t size)
 {
     size_t n = 0;
     for (; have_byte(s) && *s->at != '\n'; s->at++)
-        if (n + 1 < room && (n || !is_blank(*s->at)))
+        if (n + 1 < size && (n || !is_blank(*s->at)))
             text[n++] = is_inside(*s->at) || is_blank(*s->at) || *s->at == '#' ? *s->at : '?';
     while (n && is_blank(text[n - 1]))
         n--;

@@ -32,7 +32,7 @@ bool plb_list_next_word(list_scan *s);
 bool plb_list_next_line(list_scan *s);
 /* Goes on to the end of the line and gives its bytes as a text of at most `room` - 1 bytes; the blanks about it are left out,
  * the rest of a longer text as well. What is not ASCII becomes a question mark. */
-bool plb_list_take_text(list_scan *s, char *text, size_t room);
+bool plb_list_take_text(list_scan *s, char *text, size_t size);
 bool plb_list_is_word(const list_scan *s, const char *word);
 
 #endif

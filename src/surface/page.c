@@ -223,7 +223,7 @@ static void lay_rows(page *p, const patch *from, const pigment *with, int y0, in
 
 void plb_page_lay(page *p, const patch *from, const pigment *with)
 {
-    int foot = p->top + p->rows, y1 = from->y + from->height < foot ? from->y + from->height : foot;
+    int bottom = p->top + p->rows, y1 = from->y + from->height < bottom ? from->y + from->height : bottom;
     for (int y = from->y < p->top ? p->top : from->y; y < y1;) {
         int stripe = (y - p->top) / STRIPE, end = p->top + (stripe + 1) * STRIPE;
         end = end < y1 ? end : y1;

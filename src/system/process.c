@@ -214,7 +214,7 @@ static void plan_child(child_plan *plan)
 static void start_watch(process *p, const child_plan *plan)
 {
     p->watch = (process_watch){.pid = p->pid, .patience = TIMES_SILENT * p->limits.seconds, .scratch = p->limits.scratch,
-                               .room = p->limits.memory, .file_size = (size_t)plan->file_size};
+                               .max_bytes = p->limits.memory, .file_size = (size_t)plan->file_size};
 }
 
 bool plb_process_start(process *p, const char *program, const char *const argv[], const char *input, size_t size,
@@ -280,7 +280,7 @@ static void read_message(process *p)
         close_end(&p->err);
         return;
     }
-    size_t room = sizeof p->message - 1 - p->message_length, take = (size_t)n < room ? (size_t)n : room;
+    size_t left = sizeof p->message - 1 - p->message_length, take = (size_t)n < left ? (size_t)n : left;
     memcpy(p->message + p->message_length, part, take);
     p->message_length += take;
     p->message[p->message_length] = '\0';

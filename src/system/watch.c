@@ -63,7 +63,7 @@ static bool fits(const process_watch *w)
     }
     if (folder)
         closedir(folder);
-    return total <= w->room && files <= FILES_MAX && !is_at_limit;
+    return total <= w->max_bytes && files <= FILES_MAX && !is_at_limit;
 }
 
 static bool has_room(const char *folder)
@@ -92,7 +92,7 @@ watch_result plb_watch_check(process_watch *w, error *err)
 {
     w->checked = now();
     if (w->scratch && !fits(w))
-        plb_fail(err, ERROR_LIMIT, "writes more temporary files than it may (%zu MB)", w->room >> 20);
+        plb_fail(err, ERROR_LIMIT, "writes more temporary files than it may (%zu MB)", w->max_bytes >> 20);
     else if (w->scratch && !has_room(w->scratch))
         plb_fail(err, ERROR_FILE, "finds no room for its temporary files");
     else if (threads_of(w->pid) > WATCH_THREADS_MAX)

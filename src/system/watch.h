@@ -18,7 +18,7 @@ typedef struct {
     pid_t pid;
     double patience;     /* s that we wait for a program that does nothing */
     const char *scratch; /* the folder in which it may write; NULL: none */
-    size_t room;         /* bytes of all files there together */
+    size_t max_bytes;    /* bytes of all files there together */
     size_t file_size;    /* bytes of one file: RLIMIT_FSIZE */
     double waited;       /* s of waiting until now, in which we were awake */
     double looked;       /* by the clock: the last look */

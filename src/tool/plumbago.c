@@ -63,13 +63,13 @@ static uint64_t random_seed(void)
 static bool is_text(const settings *s) { return s->dump == PLB_DUMP_LIST || s->dump == PLB_DUMP_STROKES; }
 
 /* The suffix says what is written; a name that promises another format than we write is refused. */
-static const char *refuse_format(const settings *s, char *text, size_t room)
+static const char *refuse_format(const settings *s, char *text, size_t size)
 {
     plb_error e = {PLB_OK, ""};
     plb_format format;
     if (!s->output || is_text(s) || plb_format_of(s->output, &format, &e))
         return NULL;
-    snprintf(text, room, "%s", e.text);
+    snprintf(text, size, "%s", e.text);
     return text;
 }
 
@@ -240,7 +240,7 @@ static char *name_to_compare(const settings *s, const char *input)
 }
 
 /* Whether two of the drawings would be given the same name; it is put into `text`, as far as there is room. */
-static bool names_collide(const settings *s, char *const inputs[], size_t n, char *text, size_t room)
+static bool names_collide(const settings *s, char *const inputs[], size_t n, char *text, size_t size)
 {
     char **names = calloc(n, sizeof *names);
     size_t made = 0;
@@ -248,7 +248,7 @@ static bool names_collide(const settings *s, char *const inputs[], size_t n, cha
         made++;
     const char *twice = names ? naming_repeated(names, made) : NULL;
     if (twice)
-        snprintf(text, room, "two of the drawings have the same name for their picture, %s", twice);
+        snprintf(text, size, "two of the drawings have the same name for their picture, %s", twice);
     while (made > 0)
         free(names[--made]);
     free(names);
@@ -265,9 +265,9 @@ static bool wants_document(const settings *s, int inputs)
 }
 
 /* The result has a format that we write, and of several drawings each needs a name of its own. */
-static const char *refuse_names(const settings *s, char *const inputs[], int n, char *text, size_t room)
+static const char *refuse_names(const settings *s, char *const inputs[], int n, char *text, size_t size)
 {
-    const char *format = refuse_format(s, text, room);
+    const char *format = refuse_format(s, text, size);
     if (format)
         return format;
     bool on_one_stream = is_text(s) && (!s->output || !strcmp(s->output, "-"));
@@ -278,7 +278,7 @@ static const char *refuse_names(const settings *s, char *const inputs[], int n, 
     for (int i = 0; i < n; i++)
         if (!strcmp(inputs[i], "-") && !s->output)
             return "standard input among several drawings needs -o with a %s";
-    return names_collide(s, inputs, (size_t)n, text, room) ? text : NULL;
+    return names_collide(s, inputs, (size_t)n, text, size) ? text : NULL;
 }
 
 /* One that fails does not keep the others from being drawn. */

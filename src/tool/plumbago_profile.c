@@ -212,10 +212,10 @@ static char *read_text(const char *file)
 static int capture_to_file(const settings *s, char **scans, int n)
 {
     plb_error e = {PLB_OK, ""};
-    plb_capture_options how = s->capture;
+    plb_capture_options options = s->capture;
     plb_profile *grain = s->grain ? plb_profile_load(s->grain, &e) : NULL;
-    how.grain = grain;
-    plb_profile *p = s->grain && !grain ? NULL : plb_profile_capture((const char *const *)scans, (size_t)n, &how, &e);
+    options.grain = grain;
+    plb_profile *p = s->grain && !grain ? NULL : plb_profile_capture((const char *const *)scans, (size_t)n, &options, &e);
     bool good = p && plb_profile_save(p, s->output, &e);
     plb_profile_free(p);
     plb_profile_free(grain);

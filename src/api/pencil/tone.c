@@ -23,11 +23,11 @@
 /* Seed of swatches: the scale belongs to the pencil, not to the drawing. */
 #define SWATCH_SEED 1
 
-bool plb_api_needs_tone(const display_list *list, const plan_options *how)
+bool plb_api_needs_tone(const display_list *list, const plan_options *options)
 {
-    for (size_t i = 0; how->fill == FILL_HATCH && i < list->items.n; i++) {
+    for (size_t i = 0; options->fill == FILL_HATCH && i < list->items.n; i++) {
         const item *it = &list->items.v[i];
-        if (it->kind == ITEM_FILL && plb_may_be_hatched(it, how))
+        if (it->kind == ITEM_FILL && plb_may_be_hatched(it, options))
             return true;
     }
     return false;
@@ -70,19 +70,19 @@ static double mean_darkness(const swatch *s)
 
 static bool draw_strokes(const stroke_list *strokes, const render_context *t, swatch *s, error *err)
 {
-    stroke_options how = t->stroke;
+    stroke_options options = t->stroke;
     stroke_scratch scratch = {0};
     bool ok = true;
-    how.dpi = SWATCH_DPI;
-    how.seed = SWATCH_SEED;
+    options.dpi = SWATCH_DPI;
+    options.seed = SWATCH_SEED;
     for (size_t i = 0; ok && i < strokes->strokes.n; i++)
-        ok = plb_stroke_draw(strokes, &strokes->strokes.v[i], &how, &scratch, lay, s, err);
+        ok = plb_stroke_draw(strokes, &strokes->strokes.v[i], &options, &scratch, lay, s, err);
     plb_stroke_scratch_free(&scratch);
     return ok;
 }
 
 /* A page of `side` mm, filled with a grey. */
-static bool plan_swatch(double side, double darkness, const plan_options *how, stroke_list *out, error *err)
+static bool plan_swatch(double side, double darkness, const plan_options *options, stroke_list *out, error *err)
 {
     display_list list;
     double grey = 1 - darkness;
@@ -95,17 +95,17 @@ static bool plan_swatch(double side, double darkness, const plan_options *how, s
     ok = ok && plb_list_add(&list, &it, err);
     if (!ok)
         plb_item_free(&it);
-    ok = ok && plb_plan(&list, how, NULL, out, err);
+    ok = ok && plb_plan(&list, options, NULL, out, err);
     plb_list_free(&list);
     return ok;
 }
 
-static bool measure(double side, double darkness, const plan_options *how, const render_context *t, double *result, error *err)
+static bool measure(double side, double darkness, const plan_options *options, const render_context *t, double *result, error *err)
 {
     stroke_list strokes = {0};
     swatch s = {.side = (int)ceil(side / MM_PER_INCH * SWATCH_DPI), .ink = &t->ink};
     s.deposit = plb_new((size_t)s.side * (size_t)s.side, sizeof *s.deposit);
-    bool ok = (s.deposit || plb_fail_memory(err)) && plan_swatch(side, darkness, how, &strokes, err) && draw_strokes(&strokes, t, &s, err);
+    bool ok = (s.deposit || plb_fail_memory(err)) && plan_swatch(side, darkness, options, &strokes, err) && draw_strokes(&strokes, t, &s, err);
     if (ok)
         *result = mean_darkness(&s);
     plb_stroke_list_free(&strokes);
@@ -113,12 +113,12 @@ static bool measure(double side, double darkness, const plan_options *how, const
     return ok;
 }
 
-bool plb_api_measure_tone(const plb_options *o, plan_options *how, error *err)
+bool plb_api_measure_tone(const plb_options *o, plan_options *options, error *err)
 {
     render_context t;
     if (!plb_api_context_init(&t, o, err))
         return false;
-    plan_options plain = *how;
+    plan_options plain = *options;
     tone_scale found;
     plain.seed = SWATCH_SEED;
     plain.colour = false;
@@ -126,13 +126,13 @@ bool plb_api_measure_tone(const plb_options *o, plan_options *how, error *err)
         plain.tone.darkness[k] = TONE_FAINTEST + (1 - TONE_FAINTEST) * k / (TONE_STEPS - 1);
     bool ok = true;
     for (int k = 0; ok && k < TONE_STEPS; k++) {
-        double side = SWATCH_LINES * plb_technique((double)k / (TONE_STEPS - 1), how->pencil_width).spacing[0] + 2 * SWATCH_EDGE;
+        double side = SWATCH_LINES * plb_technique((double)k / (TONE_STEPS - 1), options->pencil_width).spacing[0] + 2 * SWATCH_EDGE;
         side = side < SWATCH_MIN ? SWATCH_MIN : side > SWATCH_MAX ? SWATCH_MAX : side;
         ok = measure(side, plain.tone.darkness[k], &plain, &t, &found.darkness[k], err);
         if (k > 0)
             found.darkness[k] = fmax(found.darkness[k], found.darkness[k - 1] + MIN_STEP);
     }
     if (ok)
-        how->tone = found;
+        options->tone = found;
     return ok;
 }

@@ -8,8 +8,8 @@
 #include "api/pipeline.h"
 
 /* Whether the plan of this drawing will ask for tones. */
-bool plb_api_needs_tone(const display_list *list, const plan_options *how);
-/* Fills in how->tone by drawing a swatch of each technique. False and `err` on failure. */
-bool plb_api_measure_tone(const plb_options *o, plan_options *how, error *err);
+bool plb_api_needs_tone(const display_list *list, const plan_options *options);
+/* Fills in options->tone by drawing a swatch of each technique. False and `err` on failure. */
+bool plb_api_measure_tone(const plb_options *o, plan_options *options, error *err);
 
 #endif

@@ -28,12 +28,12 @@ typedef struct {
 
 static bool find(finder *f, int member, size_t i)
 {
-    int top, foot;
-    if (!plb_stroke_rows(f->list, &f->list->strokes.v[i], f->o, &f->scratch[member], &top, &foot, &f->err[member]))
+    int top, bottom;
+    if (!plb_stroke_rows(f->list, &f->list->strokes.v[i], f->o, &f->scratch[member], &top, &bottom, &f->err[member]))
         return false;
     top -= f->from;
-    foot -= f->from;
-    int first = top < 0 ? 0 : top / f->rows, last = foot <= 0 ? -1 : (foot - 1) / f->rows;
+    bottom -= f->from;
+    int first = top < 0 ? 0 : top / f->rows, last = bottom <= 0 ? -1 : (bottom - 1) / f->rows;
     f->spans[i] = (span){first, last < f->bands ? last : f->bands - 1};
     return true;
 }

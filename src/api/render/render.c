@@ -27,7 +27,7 @@ typedef struct {
 typedef struct {
     const plb_drawing *d;
     const plb_options *o;
-    stroke_options how;
+    stroke_options options;
     page *page;
     const uint32_t *index; /* the band's strokes */
     size_t n, band, bands;
@@ -77,7 +77,7 @@ static bool draw_stroke(render_job *c, int member, const stroke *s)
     if (l->page != c->page || s->style.colour != l->with.colour)
         plb_pigment_init(&l->with, c->page->ink, s->style.colour);
     l->page = c->page;
-    return plb_stroke_draw(&c->d->strokes, s, &c->how, &c->scratch[member], lay, l, &c->err[member]);
+    return plb_stroke_draw(&c->d->strokes, s, &c->options, &c->scratch[member], lay, l, &c->err[member]);
 }
 
 static bool report(const plb_options *o, double done, error *err)
@@ -110,8 +110,8 @@ static bool draw_bands(render_job *c, const band_strokes *bands, int members, ba
     do {
         c->index = bands->index + bands->first[c->band];
         c->n = bands->first[c->band + 1] - bands->first[c->band];
-        c->how.clip_top = c->page->top;
-        c->how.clip_bottom = c->page->top + c->page->rows;
+        c->options.clip_top = c->page->top;
+        c->options.clip_bottom = c->page->top + c->page->rows;
         if (!plb_thread_team_run(members, (c->n + BATCH - 1) / BATCH, draw_batch, c))
             return fail(c, err);
         if (!sink(closure, c->page, err))
@@ -132,7 +132,7 @@ bool plb_render(const plb_drawing *d, const plb_options *o, const render_context
     if (ok)
         plb_page_start_at(&p, plan->top);
     if (ok && c) {
-        *c = (render_job){.d = d, .o = o, .how = t->stroke, .page = &p, .bands = bands.n};
+        *c = (render_job){.d = d, .o = o, .options = t->stroke, .page = &p, .bands = bands.n};
         ok = draw_bands(c, &bands, plan->members, sink, closure, err);
         for (int k = 0; k < THREAD_TEAM_MAX; k++)
             plb_stroke_scratch_free(&c->scratch[k]);

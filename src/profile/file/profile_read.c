@@ -132,13 +132,13 @@ static bool read_section(cursor *c, profile *p)
 
 static bool read_ccm(cursor *c, profile *p)
 {
-    const uint32_t room = PROFILE_GREYS * PROFILE_GREYS;
+    const uint32_t max_cells = PROFILE_GREYS * PROFILE_GREYS;
     uint64_t cells, total = 0;
-    if (!take(c, 4, &cells) || cells < 1 || cells > room)
+    if (!take(c, 4, &cells) || cells < 1 || cells > max_cells)
         return false;
     for (uint32_t next = 0; cells > 0; cells--) {
         uint32_t gap, count;
-        if (!take_leb(c, &gap) || !take_leb(c, &count) || gap < 1 || gap > room - next || count < 1)
+        if (!take_leb(c, &gap) || !take_leb(c, &count) || gap < 1 || gap > max_cells - next || count < 1)
             return false;
         next += gap;
         p->ccm[next - 1] = count;

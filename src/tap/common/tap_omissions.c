@@ -213,8 +213,8 @@ static bool may_lose(const char *text, size_t size)
 omissions plb_tap_count_omissions(const char *text, size_t size)
 {
     walk w = {.visits = 0};
-    int how = XML_PARSE_RECOVER | XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | (size > TAP_LIBXML_TEXT ? XML_PARSE_HUGE : 0);
-    xmlDoc *doc = may_lose(text, size) ? xmlReadMemory(text, (int)size, NULL, NULL, how) : NULL;
+    int options = XML_PARSE_RECOVER | XML_PARSE_NONET | XML_PARSE_NOERROR | XML_PARSE_NOWARNING | (size > TAP_LIBXML_TEXT ? XML_PARSE_HUGE : 0);
+    xmlDoc *doc = may_lose(text, size) ? xmlReadMemory(text, (int)size, NULL, NULL, options) : NULL;
     if (!doc)
         return w.lost;
     w.by_id = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);

@@ -28,25 +28,25 @@ void plb_plain_free(plain_path *p)
 
 static bool grow(plain_path *p)
 {
-    size_t ops = p->ops_room ? p->ops_room * 2 : 256, points = ops * 3;
+    size_t ops = p->ops_capacity ? p->ops_capacity * 2 : 256, points = ops * 3;
     if (points > MAX_POINTS)
         return false;
     unsigned char *o = realloc(p->ops, ops);
     if (o) {
         p->ops = o;
-        p->ops_room = ops;
+        p->ops_capacity = ops;
     }
     plain_point *q = o ? realloc(p->points, points * sizeof *q) : NULL;
     if (q) {
         p->points = q;
-        p->points_room = points;
+        p->points_capacity = points;
     }
     return q != NULL;
 }
 
 static void add(plain_path *p, int op, const plain_point *points, size_t n)
 {
-    if ((p->n_ops == p->ops_room || p->n_points + n > p->points_room) && !grow(p)) {
+    if ((p->n_ops == p->ops_capacity || p->n_points + n > p->points_capacity) && !grow(p)) {
         p->failed = true;
         return;
     }

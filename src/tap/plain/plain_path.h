@@ -24,7 +24,7 @@ typedef struct {
     matrix matrix;
     unsigned char *ops;
     plain_point *points;
-    size_t n_ops, n_points, ops_room, points_room;
+    size_t n_ops, n_points, ops_capacity, points_capacity;
     plain_point current, start;
     bool has_current; /* there is a current point */
     bool is_pending;  /* a move to it is to be written before the next line or curve, and after the last */

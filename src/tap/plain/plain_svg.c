@@ -463,8 +463,8 @@ static void parse(reader *r, const char *text, size_t size)
 {
     *r->parser->sax = handlers;
     r->parser->_private = r;
-    int how = XML_PARSE_NONET | (size > TAP_LIBXML_TEXT ? XML_PARSE_HUGE : 0);
-    xmlFreeDoc(xmlCtxtReadMemory(r->parser, text, (int)size, NULL, NULL, how));
+    int options = XML_PARSE_NONET | (size > TAP_LIBXML_TEXT ? XML_PARSE_HUGE : 0);
+    xmlFreeDoc(xmlCtxtReadMemory(r->parser, text, (int)size, NULL, NULL, options));
     if (!r->parser->wellFormed || r->parser->hasPErefs || !r->has_page)
         refuse(r, "malformed XML", (plain_text){NULL, NULL});
     if (!*r->why && !plb_plain_list_end(r->list))

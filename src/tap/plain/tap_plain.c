@@ -28,11 +28,11 @@ static void __attribute__((noreturn)) quit(int status, const char *what, const c
 static char *read_document(size_t *size)
 {
     char *all = NULL;
-    size_t room = 0;
+    size_t capacity = 0;
     for (*size = 0;;) {
-        if (room - *size < PART_BYTES) {
-            room = room ? room * 2 : 2 * PART_BYTES;
-            char *more = *size > TAP_MAX_BYTES ? NULL : realloc(all, room);
+        if (capacity - *size < PART_BYTES) {
+            capacity = capacity ? capacity * 2 : 2 * PART_BYTES;
+            char *more = *size > TAP_MAX_BYTES ? NULL : realloc(all, capacity);
             if (!more)
                 quit(TAP_REFUSED, "not plain: ", "it is too large");
             all = more;

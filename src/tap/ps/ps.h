@@ -111,7 +111,7 @@ struct ps_dict {
     uint32_t *index; /* 1 + the entry's number, 0: free; NULL while the dictionary is small */
     uint32_t used;   /* entries written, the removed ones too */
     uint32_t live;   /* entries there */
-    uint32_t room, index_size;
+    uint32_t capacity, index_size;
     uint32_t stated; /* the size it was made with */
     uint16_t born;   /* the save during which it was made */
 };

@@ -32,10 +32,10 @@ bool naming_has_place(const char *pattern)
 char *naming_of(const char *pattern, const char *input)
 {
     part stem = stem_of(input);
-    size_t room = strlen(pattern) + 1;
+    size_t size = strlen(pattern) + 1;
     for (const char *p = pattern; (p = strstr(p, PLACE)); p += strlen(PLACE))
-        room += stem.n;
-    char *name = malloc(room), *to = name;
+        size += stem.n;
+    char *name = malloc(size), *to = name;
     while (name && *pattern) {
         if (!strncmp(pattern, PLACE, strlen(PLACE))) {
             memcpy(to, stem.v, stem.n);
@@ -67,12 +67,12 @@ const char *naming_repeated(char **names, size_t n)
 char *naming_in_folder(const char *name, const char *suffix, bool several)
 {
     struct stat st;
-    size_t n = strlen(name), room = n + strlen(suffix) + 16;
+    size_t n = strlen(name), size = n + strlen(suffix) + 16;
     bool slash = n > 0 && name[n - 1] == '/';
     if (!slash && !(stat(name, &st) == 0 && S_ISDIR(st.st_mode)))
         return NULL;
-    char *pattern = malloc(room);
+    char *pattern = malloc(size);
     if (pattern)
-        snprintf(pattern, room, "%s%s%s%s%s", name, slash ? "" : "/", PLACE, several ? "-%d" : "", suffix);
+        snprintf(pattern, size, "%s%s%s%s%s", name, slash ? "" : "/", PLACE, several ? "-%d" : "", suffix);
     return pattern;
 }

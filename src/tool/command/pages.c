@@ -71,13 +71,13 @@ bool pages_has_number(const char *name)
 
 char *pages_name(const char *name, unsigned page)
 {
-    size_t length, room = strlen(name) + 1;
+    size_t length, size = strlen(name) + 1;
     int digits;
     for (const char *at = name; (at = find_number(at, &length, &digits)); at += length)
-        room += 16; /* more than any number takes */
-    char *made = malloc(room), *to = made;
+        size += 16; /* more than any number takes */
+    char *made = malloc(size), *to = made;
     for (const char *at; made && (at = find_number(name, &length, &digits)); name = at + length)
-        to += snprintf(to, room - (size_t)(to - made), "%.*s%0*u", (int)(at - name), name, digits, page);
+        to += snprintf(to, size - (size_t)(to - made), "%.*s%0*u", (int)(at - name), name, digits, page);
     if (made)
         strcpy(to, name);
     return made;
@@ -87,9 +87,9 @@ char *pages_name_output(const char *input, bool numbered)
 {
     const char *slash = strrchr(input, '/'), *base = slash ? slash + 1 : input;
     const char *dot = strrchr(base, '.');
-    size_t stem = dot && dot > base ? (size_t)(dot - input) : strlen(input), room = stem + 8;
-    char *name = malloc(room);
+    size_t stem = dot && dot > base ? (size_t)(dot - input) : strlen(input), size = stem + 8;
+    char *name = malloc(size);
     if (name)
-        snprintf(name, room, "%.*s%s.png", (int)stem, input, numbered ? "-%d" : "");
+        snprintf(name, size, "%.*s%s.png", (int)stem, input, numbered ? "-%d" : "");
     return name;
 }

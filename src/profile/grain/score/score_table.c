@@ -41,14 +41,14 @@ static double expected(const grain_model *g, double place, const double coeffici
 
 typedef struct {
     double *level, *dark; /* of all pixels that count */
-    double *chosen;       /* room for as many */
+    double *chosen;       /* as many */
     size_t n;
 } pixels;
 
 static bool collect(const grain_lines *lines, pixels *p)
 {
-    size_t room = (size_t)lines->columns * GRAIN_ROWS + 1;
-    *p = (pixels){plb_new(room, sizeof(double)), plb_new(room, sizeof(double)), plb_new(room, sizeof(double)), 0};
+    size_t capacity = (size_t)lines->columns * GRAIN_ROWS + 1;
+    *p = (pixels){plb_new(capacity, sizeof(double)), plb_new(capacity, sizeof(double)), plb_new(capacity, sizeof(double)), 0};
     if (!p->level || !p->dark || !p->chosen)
         return false;
     for (size_t j = 0; j < lines->n; j++) {

@@ -94,26 +94,26 @@ static void index_entry(ps_dict *d, uint32_t number)
 /* Room for one more entry: the first time as many as stated, then twice as many; removed entries fall out. */
 static bool grow(ps *p, ps_dict *d)
 {
-    uint32_t room = d->room ? d->live * 2 : d->stated < SMALL ? d->stated : SMALL;
-    if (room < 4)
-        room = d->room ? 8 : room ? room : 4;
-    if (room > 4 * PS_MAX_ARRAY)
+    uint32_t capacity = d->capacity ? d->live * 2 : d->stated < SMALL ? d->stated : SMALL;
+    if (capacity < 4)
+        capacity = d->capacity ? 8 : capacity ? capacity : 4;
+    if (capacity > 4 * PS_MAX_ARRAY)
         return plb_ps_raise(p, PS_DICTFULL);
-    ps_entry *entries = plb_ps_new(p, room, sizeof *entries);
+    ps_entry *entries = plb_ps_new(p, capacity, sizeof *entries);
     if (!entries)
         return false;
     uint32_t n = 0, size = 0;
     for (uint32_t i = 0; i < d->used; i++)
         if (d->entries[i].key.type != PS_NULL)
             entries[n++] = d->entries[i];
-    for (size = 16; size < room * 2;)
+    for (size = 16; size < capacity * 2;)
         size *= 2;
-    uint32_t *index = room > SMALL ? plb_ps_new(p, size, sizeof *index) : NULL;
-    if (room > SMALL && !index)
+    uint32_t *index = capacity > SMALL ? plb_ps_new(p, size, sizeof *index) : NULL;
+    if (capacity > SMALL && !index)
         return false;
     d->entries = entries;
     d->used = d->live = n;
-    d->room = room;
+    d->capacity = capacity;
     d->index = index;
     d->index_size = size;
     for (uint32_t i = 0; index && i < n; i++)
@@ -165,7 +165,7 @@ static bool put(ps *p, ps_dict *d, ps_object key, ps_object value)
 {
     ps_entry *e = find(p, d, key);
     if (!e) {
-        if (d->used == d->room && !grow(p, d))
+        if (d->used == d->capacity && !grow(p, d))
             return false;
         e = &d->entries[d->used++];
         e->key = key;

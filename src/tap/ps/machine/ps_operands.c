@@ -95,12 +95,12 @@ static bool step_then(ps *p, ps_frame *f)
 
 ps_frame *plb_ps_push_then(ps *p, bool (*then)(ps *p, ps_frame *f))
 {
-    void *room = plb_ps_new(p, 1, sizeof then);
-    if (!room)
+    void *memory = plb_ps_new(p, 1, sizeof then);
+    if (!memory)
         return NULL;
-    memcpy(room, &then, sizeof then);
+    memcpy(memory, &then, sizeof then);
     ps_frame *f = plb_ps_push_frame(p, step_then);
     if (f)
-        f->data = room;
+        f->data = memory;
     return f;
 }

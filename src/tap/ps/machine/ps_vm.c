@@ -12,19 +12,19 @@
 
 struct ps_block {
     ps_block *next;
-    size_t used, room;
+    size_t used, capacity;
     _Alignas(ALIGNMENT) char bytes[];
 };
 
 static ps_block *new_block(ps *p, size_t bytes)
 {
-    size_t room = bytes > BLOCK_BYTES / 4 ? bytes : BLOCK_BYTES;
-    ps_block *b = plb_new(1, sizeof *b + room);
+    size_t capacity = bytes > BLOCK_BYTES / 4 ? bytes : BLOCK_BYTES;
+    ps_block *b = plb_new(1, sizeof *b + capacity);
     if (!b) {
         plb_fail_memory(&p->err);
         return NULL;
     }
-    b->room = room;
+    b->capacity = capacity;
     if (p->blocks && bytes > BLOCK_BYTES / 4) { /* a block of its own, behind the one being filled */
         b->next = p->blocks->next;
         p->blocks->next = b;
@@ -46,7 +46,7 @@ void *plb_ps_new(ps *p, size_t n, size_t size)
         bytes = ALIGNMENT;
     p->memory += bytes;
     ps_block *b = p->blocks;
-    if (!b || b->room - b->used < bytes)
+    if (!b || b->capacity - b->used < bytes)
         b = new_block(p, bytes);
     if (!b)
         return NULL;
@@ -115,17 +115,17 @@ static const ps_name **find_slot(ps *p, const char *text, size_t n, uint32_t has
 
 static bool grow_names(ps *p)
 {
-    size_t old = p->names.capacity, room = old ? old * 2 : 2048;
-    const ps_name **before = p->names.v, **v = plb_new(room, sizeof(const ps_name *));
+    size_t old = p->names.capacity, capacity = old ? old * 2 : 2048;
+    const ps_name **before = p->names.v, **v = plb_new(capacity, sizeof(const ps_name *));
     if (!v)
         return plb_fail_memory(&p->err);
     p->names.v = v;
-    p->names.capacity = room;
+    p->names.capacity = capacity;
     for (size_t i = 0; i < old; i++)
         if (before[i]) {
-            size_t k = before[i]->hash & (room - 1);
+            size_t k = before[i]->hash & (capacity - 1);
             while (v[k])
-                k = (k + 1) & (room - 1);
+                k = (k + 1) & (capacity - 1);
             v[k] = before[i];
         }
     plb_free(before);

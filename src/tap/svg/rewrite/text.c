@@ -133,11 +133,11 @@ static bool set_on_path(rewriting *r, xmlNode *group, const text_line *line, siz
 static double fit_length(const xmlNode *text, const text_line *line, double *added)
 {
     double natural = 0, asked = plb_node_length(text, "textLength", 0, 0);
-    char *how = plb_node_get(text, "lengthAdjust");
+    char *adjust = plb_node_get(text, "lengthAdjust");
     for (size_t i = 0; i < line->n; i++)
         natural += line->v[i].advance;
-    bool stretches = how && !strcmp(how, "spacingAndGlyphs");
-    g_free(how);
+    bool stretches = adjust && !strcmp(adjust, "spacingAndGlyphs");
+    g_free(adjust);
     *added = asked > 0 && !stretches && line->n > 1 ? (asked - natural) / (double)(line->n - 1) : 0;
     return asked > 0 && stretches && natural > 0 ? asked / natural : 1;
 }
