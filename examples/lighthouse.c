@@ -8,7 +8,7 @@
 
 #include <math.h>
 
-/* A closed shape of `n` corners, filled with a grey and outlined. */
+/* Draws a closed shape of `n` corners, filled with a grey and outlined. */
 static void shape(plb_canvas *c, const double corners[][2], int n, double grey)
 {
     for (int pass = 0; pass < 2; pass++) {
@@ -23,7 +23,7 @@ static void shape(plb_canvas *c, const double corners[][2], int n, double grey)
 
 static void sky(plb_canvas *c)
 {
-    /* Beams, dashed, above the horizon only. */
+    /* The beams are dashed and reach only above the horizon. */
     plb_canvas_move_to(c, 5, 5);
     plb_canvas_line_to(c, 115, 5);
     plb_canvas_line_to(c, 115, 92);
@@ -41,7 +41,7 @@ static void sky(plb_canvas *c)
 
 static void tower(plb_canvas *c)
 {
-    /* From the bottom up, each band of the tower somewhat narrower; every other one is dark. */
+    /* The tower grows from the bottom up: each band is somewhat narrower than the one below, every other one is dark. */
     for (int i = 0; i < 5; i++) {
         double y = 104 - i * 14.0, half = 11 - i * 1.2, above = half - 1.2;
         shape(c, (const double[][2]){{60 - half, y}, {60 - above, y - 14}, {60 + above, y - 14}, {60 + half, y}}, 4, i % 2 ? 1 : 0.35);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Errors and messages on their way out.
+ * This file takes errors and messages from the library to its caller.
  */
 #include "api/api_internal.h"
 
@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-/* The two enumerations list the same kinds in the same order: one is the caller's, the other the library's. */
+/* Both enumerations list the same kinds in the same order: plb_status is the caller's, error_kind the library's. */
 _Static_assert((int)PLB_OK == ERROR_NONE && (int)PLB_ERROR_CANCELLED == ERROR_CANCELLED && (int)PLB_ERROR_LIMIT == ERROR_LIMIT,
                "plb_status and error_kind must agree");
 

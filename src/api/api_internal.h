@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the files of the interface share: the opaque types' insides, and the way from the library's own errors and
+ * The files of the interface share the insides of the opaque types, and the way from the library's own errors and
  * messages to the caller's.
  */
 #ifndef PLB_API_API_INTERNAL_H
@@ -23,10 +23,10 @@ struct plb_profile {
     atomic_size_t references;  /* the caller's, and one for each of the options that hold it */
 };
 
-/* The same pencil once more, to be released by plb_profile_free. */
+/* Gives the same pencil once more, to be released by plb_profile_free. */
 plb_profile *plb_api_profile_share(const plb_profile *pencil);
 
-/* Empty; NULL when out of memory. */
+/* Gives an empty drawing; NULL when out of memory. */
 pencil_rack *plb_api_rack_new(void);
 void plb_api_rack_free(pencil_rack *r);
 
@@ -40,16 +40,16 @@ struct plb_drawing {
 /* Copies `from` to the caller's error (may be NULL). Returns false, for `return plb_api_fail(...)`. */
 bool plb_api_fail(plb_error *to, const error *from);
 
-/* The end of a call: true when `from` holds no error, and the caller's error is cleared; else as plb_api_fail. */
+/* Ends a call: true when `from` holds no error, and the caller's error is cleared; else as plb_api_fail. */
 bool plb_api_finish(const error *from, plb_error *to);
 
-/* Of the progress that callers are told, what reading and planning take (chosen by eye). */
+/* Reading ends at the first share of the progress that callers are told, planning at the second (chosen by eye). */
 #define PROGRESS_READ 0.1
 #define PROGRESS_PLANNED 0.2
-/* Tells the caller how much is done; false and `err` when that says stop. */
+/* Tells the caller how much is done; false and `err` when the caller says stop. */
 bool plb_api_report(const plb_options *o, double done, error *err);
 
-/* The caller's message function as the library's log_sink: `adaptor` must outlive what plb_api_messenger returns. */
+/* Makes a log_sink of the caller's message function: `adaptor` must outlive the sink that plb_api_messenger returns. */
 typedef struct {
     plb_message_function message;
     void *closure;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * From a file's bytes to strokes: read, fit to the page, plan.
+ * This file takes a drawing from a file's bytes to strokes: read, fit to the page, plan.
  */
 #include "api/pipeline.h"
 
@@ -28,7 +28,7 @@ static bool fit(display_list *list, const plb_options *o, error *err)
     return true;
 }
 
-/* Nothing is left out silently. */
+/* Reports each kind of omission, so that nothing is left out silently. */
 static void report_omissions(const plb_drawing *d, const omissions *left_out, const log_sink *say)
 {
     plb_omissions_report(left_out, d->name, say);
@@ -36,7 +36,7 @@ static void report_omissions(const plb_drawing *d, const omissions *left_out, co
         plb_log(say, MESSAGE_WARNING, "%s: nothing in it leaves a mark: the page is empty", d->name);
 }
 
-/* The same line on two pages is drawn twice, so it differs. */
+/* Gives the strokes of each page identities of their own, so a line that two pages share is drawn in two ways. */
 static void mark_page(stroke_list *s, unsigned number)
 {
     for (size_t i = 0; number > 1 && i < s->strokes.n; i++)
@@ -48,14 +48,14 @@ typedef struct {
     const log_sink *say;
 } named_sink;
 
-/* The plan knows no files: its messages get the drawing's name here. */
+/* Adds the drawing's name to a message, because the plan knows no files. */
 static void say_named(void *closure, message_level level, const char *text)
 {
     const named_sink *to = closure;
     plb_log(to->say, level, "%s: %s", to->name, text);
 }
 
-/* From what was drawn to what a hand draws: the stages in order. */
+/* Runs the stages in order, from the display list to strokes. */
 static bool plan(plb_drawing *d, const log_sink *say, error *err)
 {
     const plb_options *o = d->options;

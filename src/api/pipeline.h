@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A drawing on its way through the stages: what the files of this folder share.
+ * The files of this folder share these steps of a drawing's way through the stages.
  */
 #ifndef PLB_API_PIPELINE_H
 #define PLB_API_PIPELINE_H
@@ -11,20 +11,21 @@
 #include "stroke/stroke.h"
 #include "surface/page.h"
 
-/* A drawing of nothing yet, with a copy of the options; NULL and `err` when out of memory. */
+/* Makes an empty drawing with a copy of the options; NULL and `err` when out of memory. */
 plb_drawing *plb_api_drawing_new(const char *name, const plb_options *o, error *err);
-/* Makes the strokes of what is in d->list. Messages go to `say` with the drawing's name. */
+/* Makes the strokes of d->list. Messages go to `say` with the drawing's name. */
 bool plb_api_plan(plb_drawing *d, const log_sink *say, error *err);
-/* The caller's options or, in `own`, new ones, which are freed after the call; NULL and `err` when they do not go together. */
+/* Gives the caller's options or, in `own`, new ones, which are freed after the call; NULL and `err` when the settings
+ * contradict each other. */
 const plb_options *plb_api_options_checked(const plb_options *given, plb_options **own, error *err);
 
-/* The drawing in a file; NULL and `err` on failure. */
+/* Loads the drawing in a file; NULL and `err` on failure. */
 plb_drawing *plb_api_draw(const input_source *in, const plb_options *o, error *err);
 
-/* What the options, which make sense, ask of the plan. */
+/* Gives the options of the plan that follow from `o`, which has been checked. */
 plan_options plb_api_plan_options(const plb_options *o);
 
-/* The pencil of a call, borrowed from the options, ready to draw. */
+/* A render_context is the pencil of a call, borrowed from the options and ready to draw. */
 typedef struct {
     const plb_profile *profile;
     const pencil *pencil; /* the profile's */
@@ -32,8 +33,8 @@ typedef struct {
     stroke_options stroke;
 } render_context;
 
-/* The options of a call that draws, in `out`, which borrows from them: `given`, or those of loading where NULL, with the resolution that
- * they ask for. NULL and `err` when they contradict those of loading. */
+/* Gives the options of a call that draws, in `out`, which borrows from them: `given`, or those of loading where `given`
+ * is NULL, with the resolution that these ask for. NULL and `err` when the options contradict those of loading. */
 const plb_options *plb_api_options_for(const plb_drawing *d, const plb_options *given, plb_options *out, error *err);
 
 bool plb_api_context_init(render_context *t, const plb_options *o, error *err);

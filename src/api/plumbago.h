@@ -46,16 +46,16 @@ typedef struct {
 /* Called for warnings (level 0) and details (level 1) while a call runs; `text` is one line, valid during the call. */
 typedef void (*plb_message_function)(void *closure, int level, const char *text);
 
-/* Told now and then how much is done, by the thread that made the call: 0 to 0.2 while a drawing is read and planned, from there to 1
- * while it is drawn and written. False stops the call, which then fails with PLB_ERROR_CANCELLED. */
+/* The thread that made the call tells now and then how much is done: 0 to 0.2 while a drawing is read and planned, from
+ * there to 1 while it is drawn and written. False stops the call, which then fails with PLB_ERROR_CANCELLED. */
 typedef bool (*plb_progress_function)(void *closure, double done);
 
-/* The version that a program is compiled with. The numbers grow with it: #if PLB_VERSION_NUMBER >= 200. */
+/* A program is compiled with this version. The numbers grow with the version: #if PLB_VERSION_NUMBER >= 200. */
 #define PLB_VERSION_MAJOR 0
 #define PLB_VERSION_MINOR 2
 #define PLB_VERSION_PATCH 0
 #define PLB_VERSION_NUMBER (PLB_VERSION_MAJOR * 10000 + PLB_VERSION_MINOR * 100 + PLB_VERSION_PATCH)
-/* The version of the library that it runs with: "0.2.0". */
+/* Gives the version of the library that the program runs with: "0.2.0". */
 PLB_API const char *plb_version(void);
 
 /* Reads a length: a number or a fraction, then mm, cm, in, pt or px (1/96 inch, also meant without a unit), as
@@ -64,24 +64,23 @@ PLB_API bool plb_parse_length(const char *text, double *mm);
 
 /* ---- pencils --------------------------------------------------------------------------------------------- */
 
-/* A pencil: the statistics of its line, captured once from scans. Immutable. */
+/* A pencil holds the statistics of its line, captured once from scans. Immutable. */
 typedef struct plb_profile plb_profile;
 
-/* The names of the eight pencils that come with the library, from hard to soft: 2H H F HB B 3B 6B 8B; NULL past the
- * last one. */
+/* Gives the names of the eight pencils that come with the library, from hard to soft: 2H H F HB B 3B 6B 8B; NULL past the last one. */
 PLB_API const char *plb_pencil_name(size_t index);
 
 /* Loads one of the eight pencils by name, any case, or else the file of that name (pencil(5)). The caller frees
  * the result. NULL and `error` (may be NULL) on failure. */
 PLB_API plb_profile *plb_profile_load(const char *pencil, plb_error *error);
-/* The same from the bytes of such a file; `name` is for messages, NULL: "memory". */
+/* Loads a pencil from the bytes of such a file; `name` is for messages, NULL: "memory". */
 PLB_API plb_profile *plb_profile_from_memory(const void *data, size_t size, const char *name, plb_error *error);
 PLB_API void plb_profile_free(plb_profile *profile);
-/* Borrowed; lives as long as the profile. */
+/* Gives the pencil's name, borrowed; the text lives as long as the profile. */
 PLB_API const char *plb_profile_name(const plb_profile *profile);
-/* Median grey along the centre of the line, 0 black to 255 paper. */
+/* Gives the median grey along the centre of the line, 0 black to 255 paper. */
 PLB_API int plb_profile_centre_grey(const plb_profile *profile);
-/* Width of the line at half its depth, mm. */
+/* Gives the width of the line at half its depth, mm. */
 PLB_API double plb_profile_width(const plb_profile *profile);
 
 typedef struct {
@@ -91,7 +90,7 @@ typedef struct {
     int centre_min, centre_max; /* use only lines whose median grey at the centre lies in [min, max]; 0 and 255: all */
     double width;               /* stretch the cross-section to this width at half depth, mm; 0: as measured */
     bool free_hand;             /* lines drawn with it stray as a free hand does, not as those of the scans */
-    bool as_measured;           /* the grain as the scans have it, not corrected by how lines drawn with it differ from them */
+    bool as_measured;           /* the grain as measured in the scans, not corrected by how lines drawn with it differ from them */
     const plb_profile *grain;   /* borrow in part the grain of this pencil, borrowed; NULL: as measured */
     plb_message_function message; /* told about each scan; may be NULL */
     void *closure;
@@ -112,11 +111,11 @@ PLB_API bool plb_profile_plot(const plb_profile *profile, const char *file, plb_
 
 /* ---- settings -------------------------------------------------------------------------------------------- */
 
-/* How a drawing is made. plb_options_new() gives the defaults; what a setting is called, takes and does, plumbago(1) and
- * plb_setting_at() say. Options are read during the calls that get them; a call changes none. */
+/* Options say how a drawing is made. plb_options_new() gives the defaults; plumbago(1) and plb_setting_at() say what a
+ * setting is called, takes and does. Calls read the options that they get and change none. */
 typedef struct plb_options plb_options;
 
-/* The caller frees the result; NULL: out of memory. */
+/* Makes options with the defaults. The caller frees the result; NULL: out of memory. */
 PLB_API plb_options *plb_options_new(void);
 PLB_API plb_options *plb_options_copy(const plb_options *from);
 PLB_API void plb_options_free(plb_options *options);
@@ -124,18 +123,18 @@ PLB_API void plb_options_free(plb_options *options);
 /* Sets one by its name and a text, as the command line does: ("arm", "jerk"), ("width", "84mm"), ("colour", "on"). False when
  * there is no such setting or it does not take the value; then it stays as it was, and `error` says what it takes. */
 PLB_API bool plb_options_set(plb_options *options, const char *name, const char *value, plb_error *error);
-/* The same for settings whose value is a number, in the setting's unit: mm for lengths. */
+/* Sets a setting whose value is a number, in the setting's unit: mm for lengths. */
 PLB_API bool plb_options_set_number(plb_options *options, const char *name, double value, plb_error *error);
-/* Whether the settings go together, as scale and width do not; the calls that get the options check that, too. */
+/* Tells whether the settings go together (scale and width do not); the calls that get the options check this, too. */
 PLB_API bool plb_options_check(const plb_options *options, plb_error *error);
-/* Writes the value into `text`, of `size` bytes, as plb_options_set reads it. False when there is no such setting or too little
- * room. */
+/* Writes the value into `text`, of `size` bytes, in the form that plb_options_set reads. False when there is no such
+ * setting or `size` is too small. */
 PLB_API bool plb_options_get(const plb_options *options, const char *name, char *text, size_t size);
 
-/* What is no text. The pencil is shared, not copied: the caller may free his at once. */
+/* Sets the pencil, which is no text. The options share the pencil instead of copying it: the caller may free his at once. */
 PLB_API void plb_options_set_profile(plb_options *options, const plb_profile *profile);
 PLB_API void plb_options_set_seed(plb_options *options, uint64_t seed);
-/* Either function may be NULL: silence. `closure` is handed to it. */
+/* Sets the functions that hear messages and progress. Either may be NULL: silence. Both get `closure`. */
 PLB_API void plb_options_set_message(plb_options *options, plb_message_function message, void *closure);
 PLB_API void plb_options_set_progress(plb_options *options, plb_progress_function progress, void *closure);
 
@@ -153,11 +152,12 @@ typedef enum {
     PLB_SETTING_PIXELS  /* "1200" or "800x600" */
 } plb_setting_kind;
 
-/* In which calls a setting counts. A drawing's strokes are planned when it is loaded: what counts then must be the same when
- * it is drawn, or the call fails and names the setting, unless the setting changes no stroke (COUNTS_FREELY). */
+/* These flags say in which calls a setting counts. A drawing's strokes are planned when it is loaded: what counts then
+ * must be the same when it is drawn, or the call fails and names the setting, unless the setting changes no stroke
+ * (COUNTS_FREELY). */
 enum { PLB_COUNTS_LOADING = 1, PLB_COUNTS_DRAWING = 2, PLB_COUNTS_FREELY = 4 };
 
-/* A setting as the table of the library has it, for command lines, dialogues, bindings. */
+/* A plb_setting describes a row of the library's table of settings, for command lines, dialogues, bindings. */
 typedef struct {
     const char *name;
     char letter;          /* of a short option, or 0 */
@@ -170,14 +170,14 @@ typedef struct {
     const char *help;     /* one line */
     unsigned calls;       /* PLB_COUNTS_… */
 } plb_setting;
-/* The settings in the order of their groups; NULL past the last. */
+/* Gives the settings in the order of their groups; NULL past the last. */
 PLB_API const plb_setting *plb_setting_at(size_t index);
-/* The words that a choice takes, and a page's names; NULL past the last. */
+/* Gives the words that a choice takes, and a page's names; NULL past the last. */
 PLB_API const char *plb_setting_word(const plb_setting *setting, size_t index);
 
 /* ---- drawing --------------------------------------------------------------------------------------------- */
 
-/* A drawing: what a file holds, planned as pencil strokes. */
+/* A drawing holds what a file shows, planned as pencil strokes. */
 typedef struct plb_drawing plb_drawing;
 
 /* In all calls `drawing` and `file` must not be NULL; `error` may be, and `options`: where a drawing is loaded that stands for
@@ -187,22 +187,22 @@ typedef struct plb_drawing plb_drawing;
  * the size that `options` ask for. The caller frees the result. NULL and `error` on failure. */
 PLB_API plb_drawing *plb_drawing_load(const char *file, const plb_options *options, plb_error *error);
 PLB_API void plb_drawing_free(plb_drawing *drawing);
-/* Size of the page, mm. */
+/* Gives the size of the page, mm. */
 PLB_API double plb_drawing_width(const plb_drawing *drawing);
 PLB_API double plb_drawing_height(const plb_drawing *drawing);
-/* How many pencil strokes it has. */
+/* Gives the number of pencil strokes. */
 PLB_API size_t plb_drawing_strokes(const plb_drawing *drawing);
 
 /* A file in memory, for those who want several of its pages. Immutable. */
 typedef struct plb_file plb_file;
 /* Reads all bytes of `file` ("-": standard input). The caller frees the result. NULL and `error` on failure. */
 PLB_API plb_file *plb_file_load(const char *file, plb_error *error);
-/* The same of bytes at hand, which are copied; `name` is for messages, NULL: "memory". */
+/* Makes such a file of bytes in memory, which are copied; `name` is for messages, NULL: "memory". */
 PLB_API plb_file *plb_file_from_memory(const void *data, size_t size, const char *name, plb_error *error);
 PLB_API void plb_file_free(plb_file *file);
-/* How many pages it has; 0 and `error` on failure. */
+/* Gives the number of pages; 0 and `error` on failure. */
 PLB_API unsigned plb_file_pages(const plb_file *file, const plb_options *options, plb_error *error);
-/* The drawing on the page that the setting `page` names. The caller frees the result. NULL and `error` on failure. */
+/* Loads the drawing on the page that the setting `page` names. The caller frees the result. NULL and `error` on failure. */
 PLB_API plb_drawing *plb_file_draw(const plb_file *file, const plb_options *options, plb_error *error);
 
 /* ---- drawings of a program's own -------------------------------------------------------------------------- */
@@ -210,12 +210,12 @@ PLB_API plb_drawing *plb_file_draw(const plb_file *file, const plb_options *opti
 /* A canvas: a page on which a program draws paths in mm, x to the right, y down; they become pencil strokes as those of a file do.
  * A call that fails is remembered, and plb_canvas_draw says why. */
 typedef struct plb_canvas plb_canvas;
-/* An empty page of so many mm. The caller frees the result. NULL and `error` on failure. */
+/* Makes an empty page of so many mm. The caller frees the result. NULL and `error` on failure. */
 PLB_API plb_canvas *plb_canvas_new(double width, double height, plb_error *error);
 PLB_API void plb_canvas_free(plb_canvas *canvas);
 
-/* These add to the path at hand. An arc is about (x, y), from one angle to another, in radians, growing clockwise as seen on paper; a line
- * leads to its beginning. */
+/* These calls add to the current path. An arc is about (x, y), from one angle to another, in radians, growing clockwise
+ * as seen on paper; a line leads to the arc's beginning. */
 PLB_API void plb_canvas_move_to(plb_canvas *canvas, double x, double y);
 PLB_API void plb_canvas_line_to(plb_canvas *canvas, double x, double y);
 PLB_API void plb_canvas_curve_to(plb_canvas *canvas, double x1, double y1, double x2, double y2, double x3, double y3);
@@ -223,15 +223,16 @@ PLB_API void plb_canvas_arc(plb_canvas *canvas, double x, double y, double radiu
 PLB_API void plb_canvas_close_path(plb_canvas *canvas);
 
 typedef enum { PLB_CAP_BUTT, PLB_CAP_ROUND, PLB_CAP_SQUARE } plb_cap;
-/* The paint, 0 to 1 each, default opaque black; the width of lines, default 0.35 mm; their ends, default butt; the lengths of dashes and
- * gaps in turn, mm (n = 0, the default: solid); the rule of fills and clips, default nonzero. */
+/* These calls set the paint, 0 to 1 each, default opaque black; the width of lines, default 0.35 mm; their ends,
+ * default butt; the lengths of dashes and gaps in turn, mm (n = 0, the default: solid); the rule of fills and clips,
+ * default nonzero. */
 PLB_API void plb_canvas_set_colour(plb_canvas *canvas, double red, double green, double blue, double alpha);
 PLB_API void plb_canvas_set_width(plb_canvas *canvas, double mm);
 PLB_API void plb_canvas_set_cap(plb_canvas *canvas, plb_cap cap);
 PLB_API void plb_canvas_set_dash(plb_canvas *canvas, const double *mm, size_t n, double offset);
 PLB_API void plb_canvas_set_even_odd(plb_canvas *canvas, bool even_odd);
 
-/* Strokes the path, fills it, or narrows the clip to it; then there is no path. */
+/* These calls stroke the path, fill it, or narrow the clip to it; the path is empty afterwards. */
 PLB_API void plb_canvas_stroke(plb_canvas *canvas);
 PLB_API void plb_canvas_fill(plb_canvas *canvas);
 PLB_API void plb_canvas_clip(plb_canvas *canvas);
@@ -246,7 +247,7 @@ typedef struct {
     double x, y; /* mm */
 } plb_point;
 typedef enum { PLB_STROKE_LINE, PLB_STROKE_HATCH, PLB_STROKE_LETTER, PLB_STROKE_GUIDE } plb_stroke_kind;
-/* A movement of the pencil. */
+/* A stroke is one movement of the pencil. */
 typedef struct {
     plb_stroke_kind kind;
     double pressure;         /* times the usual */
@@ -256,15 +257,15 @@ typedef struct {
     size_t n;
     const plb_point *points; /* the line that is meant; borrowed from the drawing */
 } plb_stroke;
-/* Stroke number `index` in the order in which they are drawn; false past the last one. */
+/* Gives stroke number `index` in the order in which they are drawn; false past the last one. */
 PLB_API bool plb_drawing_stroke(const plb_drawing *drawing, size_t index, plb_stroke *stroke);
-/* The path that the hand makes of it: `n` points, to be joined by straight lines, which the caller frees with plb_memory_free. NULL and
- * `error` on failure. */
+/* Gives the path that the hand makes of the stroke: `n` points, to be joined by straight lines, which the caller frees
+ * with plb_memory_free. NULL and `error` on failure. */
 PLB_API plb_point *plb_drawing_trace(const plb_drawing *drawing, size_t index, size_t *n, const plb_options *options, plb_error *error);
 
 /* ---- pictures --------------------------------------------------------------------------------------------- */
 
-/* A format of pictures that the library knows. */
+/* A plb_format describes a row of the library's table of picture formats. */
 typedef struct {
     const char *name;     /* "JPEG" */
     const char *suffixes; /* of files, without the dot, with blanks between them: "jpg jpeg" */
@@ -272,17 +273,17 @@ typedef struct {
     bool has_paths;       /* it holds the hand's paths instead of pixels */
     bool is_built;        /* this library writes it: some need a library of their own when it is built */
 } plb_format;
-/* The formats, the usual one first. False past the last one. */
+/* Gives the formats, the usual one first. False past the last one. */
 PLB_API bool plb_format_at(size_t index, plb_format *format);
-/* The format that a file's suffix asks for, in upper or lower case; PNG where the name has none, or is "-". False and `error` where
- * no format has such a suffix. */
+/* Gives the format that a file's suffix asks for, in upper or lower case; PNG where the name has none, or is "-". False
+ * and `error` where no format has such a suffix. */
 PLB_API bool plb_format_of(const char *file, plb_format *format, plb_error *error);
 
 /* Writes the drawing to `file` (complete or not at all; "-": standard output) in the format of its suffix. */
 PLB_API bool plb_drawing_write(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
-/* The same as PNG; the name may have no suffix, but not that of another format. */
+/* Writes the drawing as PNG; the name may have no suffix, but not that of another format. */
 PLB_API bool plb_drawing_write_png(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
-/* The same as PDF: one page of the drawing's true size. */
+/* Writes the drawing as PDF: one page of the drawing's true size. */
 PLB_API bool plb_drawing_write_pdf(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
 
 /* Takes the next `n` bytes of a file. False ends the work; errno may say why. */
@@ -290,11 +291,11 @@ typedef bool (*plb_write_function)(void *closure, const void *data, size_t n);
 /* Hands the bytes of the file, in the format of that name or suffix ("svg"), to a function, in order. */
 PLB_API bool plb_drawing_write_to(const plb_drawing *drawing, const char *format, plb_write_function put, void *closure,
                                   const plb_options *options, plb_error *error);
-/* The file in memory: `size` bytes that the caller frees with plb_memory_free. NULL and `error` on failure. */
+/* Gives the file in memory: `size` bytes that the caller frees with plb_memory_free. NULL and `error` on failure. */
 PLB_API void *plb_drawing_write_memory(const plb_drawing *drawing, const char *format, size_t *size, const plb_options *options, plb_error *error);
 PLB_API void plb_memory_free(void *bytes);
 
-/* A file of several pages that is being written. */
+/* A document is a file of several pages that is being written. */
 typedef struct plb_document plb_document;
 /* Begins a file in the format of its suffix, which must be one with pages. The caller closes or frees the result. NULL and
  * `error` on failure. */
@@ -303,21 +304,21 @@ PLB_API plb_document *plb_document_new(const char *file, plb_error *error);
 PLB_API bool plb_document_add(plb_document *document, const plb_drawing *drawing, const plb_options *options, plb_error *error);
 /* Ends the file, which then appears, and frees the document. False and `error` on failure; there is no file then. */
 PLB_API bool plb_document_close(plb_document *document, plb_error *error);
-/* Frees it without a file. */
+/* Frees the document without making a file. */
 PLB_API void plb_document_free(plb_document *document);
 
-/* The drawing on a new cairo image surface of its size at the setting `dpi`: CAIRO_FORMAT_ARGB32, graphite on white or on
- * nothing. The caller destroys it. NULL and `error` on failure. */
+/* Draws on a new cairo image surface of the drawing's size at the setting `dpi`: CAIRO_FORMAT_ARGB32, graphite on white
+ * or on nothing. The caller destroys it. NULL and `error` on failure. */
 PLB_API cairo_surface_t *plb_drawing_render(const plb_drawing *drawing, const plb_options *options, plb_error *error);
 
-/* What the stages made, as text (PLB_DUMP_LIST: the display list as read; PLB_DUMP_STROKES: the planned strokes) or
- * as a picture in the manner of the papers' Figure 3.2 (PLB_DUMP_CONTROLS: a PNG of the paths with control points
- * in red). Written to `file`, complete or not at all; "-": standard output. */
+/* Shows what the stages made as text (PLB_DUMP_LIST: the display list as read; PLB_DUMP_STROKES: the planned strokes)
+ * or as a picture in the manner of the papers' Figure 3.2 (PLB_DUMP_CONTROLS: a PNG of the paths with control points in
+ * red). The call writes `file`, complete or not at all; "-": standard output. */
 typedef enum { PLB_DUMP_LIST, PLB_DUMP_STROKES, PLB_DUMP_CONTROLS } plb_dump;
 PLB_API bool plb_drawing_dump(const plb_drawing *drawing, plb_dump what, const char *file, const plb_options *options, plb_error *error);
 
 typedef enum { PLB_PIXELS_GREY, PLB_PIXELS_GREY_ALPHA, PLB_PIXELS_RGB, PLB_PIXELS_RGBA } plb_pixel_format;
-/* Pixels of the caller's: rows of bytes, alpha not multiplied in. */
+/* The caller's pixels lie in rows of bytes, with alpha not multiplied in. */
 typedef struct {
     void *data;
     size_t stride;     /* bytes from a row to the next */
@@ -325,7 +326,7 @@ typedef struct {
     int x, y;          /* the page's pixel that comes first; the page may end within */
     int width, height;
 } plb_pixels;
-/* How many pixels the page has at the setting `dpi`. */
+/* Gives the number of the page's pixels at the setting `dpi`. */
 PLB_API bool plb_drawing_size(const plb_drawing *drawing, int *width, int *height, const plb_options *options, plb_error *error);
 /* Draws a part of the page into the caller's pixels. What lies beside the page stays as it is. */
 PLB_API bool plb_drawing_render_pixels(const plb_drawing *drawing, const plb_pixels *to, const plb_options *options, plb_error *error);

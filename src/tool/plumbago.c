@@ -62,7 +62,7 @@ static uint64_t random_seed(void)
 
 static bool is_text(const settings *s) { return s->dump == PLB_DUMP_LIST || s->dump == PLB_DUMP_STROKES; }
 
-/* The suffix says what is written; a name that promises another format than we write is refused. */
+/* Refuses a name whose suffix promises a format that the library does not write. */
 static const char *refuse_format(const settings *s, char *text, size_t size)
 {
     plb_error e = {PLB_OK, ""};
@@ -85,14 +85,14 @@ static bool look_at(const char *name, int stream, struct stat *st)
     return (strcmp(name, "-") ? stat(name, st) : fstat(stream, st)) == 0 && S_ISREG(st->st_mode);
 }
 
-/* By whatever names; also when the shell has opened one of them. */
+/* Tells whether both names mean one file, also when the shell has opened one of them. */
 static bool is_same_file(const char *to, const char *from)
 {
     struct stat x, y;
     return look_at(to, STDOUT_FILENO, &x) && look_at(from, STDIN_FILENO, &y) && x.st_dev == y.st_dev && x.st_ino == y.st_ino;
 }
 
-/* What the work of one call needs. */
+/* A job holds the files that one drawing needs. */
 typedef struct {
     const char *input;
     const char *to; /* where the result goes, perhaps with a %d in it */
@@ -100,7 +100,7 @@ typedef struct {
     bool several;   /* pages may be drawn */
 } job;
 
-/* The page's number and then the drawing's name in their places: a name that looks like a place is none. */
+/* Puts the page's number and then the drawing's name into their places: a name that looks like a place is none. */
 static char *result_name(const settings *s, const job *j, unsigned page)
 {
     char *numbered = s->output || j->several ? pages_name(j->to, page ? page : 1) : strdup(j->to);
@@ -127,10 +127,10 @@ static void leave_alone(const settings *s, const char *to)
     talk_message(s->talk, 0, text);
 }
 
-/* A page that is smaller both ways is hard to draw on. */
+/* A page that is smaller both ways, mm, is hard to draw on. */
 #define SMALL_PAGE_MM 20
 
-/* Icons and figures for screens come out as small as they are: who did not ask for a size hears how. */
+/* Tells who did not ask for a size how to get one: icons and figures for screens come out as small as they are. */
 static void hint_at_size(const settings *s, const plb_drawing *d, const char *input)
 {
     static const char *const sizes[] = {"width", "height", "scale", "page-size"};
@@ -183,7 +183,7 @@ static int draw_range(settings *s, const job *j, page_range range, unsigned coun
     return status;
 }
 
-/* The pages that are asked for, one after the other. */
+/* Draws the pages that are asked for, one after the other. */
 static int draw_pages(settings *s, const job *j)
 {
     plb_error e = {PLB_OK, ""};
@@ -211,7 +211,7 @@ static int work(settings *s, job *j)
     return status;
 }
 
-/* Where the result goes when -o is absent: text dumps and what came by standard input to standard output. */
+/* Tells where the result goes when -o is absent: text dumps and drawings from standard input go to standard output. */
 static int run(settings *s, const char *input)
 {
     job j = {.input = input, .several = s->pages && !pages_is_one(s->pages)};
@@ -230,7 +230,7 @@ static int run(settings *s, const char *input)
     return status;
 }
 
-/* A result's name without what does not tell it from others. */
+/* Gives the part of a result's name that tells it from others. */
 static char *name_to_compare(const settings *s, const char *input)
 {
     char *name = s->output ? naming_of(s->output, input) : pages_name_output(input, false);
@@ -239,7 +239,7 @@ static char *name_to_compare(const settings *s, const char *input)
     return name;
 }
 
-/* Whether two of the drawings would be given the same name; it is put into `text`, as far as there is room. */
+/* Tells whether two of the drawings would be given the same name, which goes into `text` as far as `size` allows. */
 static bool names_collide(const settings *s, char *const inputs[], size_t n, char *text, size_t size)
 {
     char **names = calloc(n, sizeof *names);
@@ -255,7 +255,7 @@ static bool names_collide(const settings *s, char *const inputs[], size_t n, cha
     return twice != NULL;
 }
 
-/* Whether several pages go into one file: its format holds them, and its name has no place for what would tell files apart. */
+/* Tells whether several pages go into one file: its format holds them, and its name has no place for what would tell files apart. */
 static bool wants_document(const settings *s, int inputs)
 {
     plb_format format;
@@ -264,7 +264,7 @@ static bool wants_document(const settings *s, int inputs)
            plb_format_of(s->output, &format, NULL) && format.has_pages;
 }
 
-/* The result has a format that we write, and of several drawings each needs a name of its own. */
+/* Refuses results in a format that the library does not write, and several drawings with one name. */
 static const char *refuse_names(const settings *s, char *const inputs[], int n, char *text, size_t size)
 {
     const char *format = refuse_format(s, text, size);
@@ -281,7 +281,7 @@ static const char *refuse_names(const settings *s, char *const inputs[], int n, 
     return names_collide(s, inputs, (size_t)n, text, size) ? text : NULL;
 }
 
-/* One that fails does not keep the others from being drawn. */
+/* Draws all files; one that fails does not keep the others from being drawn. */
 static int run_each(settings *s, char *const inputs[], int n)
 {
     int worst = EXIT_DRAWN;
@@ -293,7 +293,7 @@ static int run_each(settings *s, char *const inputs[], int n)
     return worst;
 }
 
-/* All pages in one file, which appears only when each of them is drawn. */
+/* Draws all pages into one file, which appears only when each of them is drawn. */
 static int run_document(settings *s, char *const inputs[], int n)
 {
     plb_error e = {PLB_OK, ""};
@@ -309,7 +309,7 @@ static int run_document(settings *s, char *const inputs[], int n)
     return status;
 }
 
-/* All drawings with one pencil. */
+/* Draws all drawings with one pencil. */
 static int run_all(settings *s, char *const inputs[], int n)
 {
     plb_error e = {PLB_OK, ""};
@@ -330,7 +330,7 @@ static int run_all(settings *s, char *const inputs[], int n)
     return wants_document(s, n) ? run_document(s, inputs, n) : run_each(s, inputs, n);
 }
 
-/* With a folder for -o the pictures get names of their own in it. */
+/* Names the pictures when -o is a folder. */
 static int run_into(settings *s, char *const inputs[], int n)
 {
     const char *suffix = is_text(s) ? ".txt" : ".png";
@@ -342,7 +342,7 @@ static int run_into(settings *s, char *const inputs[], int n)
     return status;
 }
 
-/* What the command line asks for. */
+/* Does what the command line asks for. */
 static int obey(settings *s, const command_table *table, char *const inputs[], int operands)
 {
     plb_error e = {PLB_OK, ""};

@@ -16,7 +16,7 @@
 
 enum { EXIT_DONE = 0, EXIT_NOT_DONE = 1, EXIT_WRONG_COMMAND = 2 };
 
-/* Which commands an option belongs to. */
+/* These bits say which commands an option belongs to. */
 enum { FOR_CAPTURE = 1, FOR_SHOW = 2 };
 
 typedef struct {
@@ -189,7 +189,7 @@ static int wrong(const char *what)
 
 /* ---- the commands ---- */
 
-/* The text of a provenance file, owned by the caller; NULL after one line on stderr. */
+/* Reads the text of a provenance file, owned by the caller; NULL after one line on stderr. */
 static char *read_text(const char *file)
 {
     FILE *from = fopen(file, "rb");

@@ -17,7 +17,7 @@ struct plb_canvas {
     error failed;    /* the first failure */
 };
 
-/* The paint and the pen that a canvas begins with. */
+/* A canvas begins with this paint and this pen. */
 static item usual_pen(void)
 {
     return (item){.paint = {PAINT_SOLID, 0, 0, 0, 1}, .clip = NO_CLIP, .width = 0.35};
@@ -53,7 +53,7 @@ void plb_canvas_free(plb_canvas *c)
 
 /* ---- paths ---- */
 
-/* Whether work goes on: nothing has failed, and the numbers are some. */
+/* Tells whether work goes on: nothing has failed, and the numbers are finite. */
 static bool goes_on(plb_canvas *c, const double *v, int n)
 {
     for (int i = 0; i < n; i++)
@@ -68,7 +68,7 @@ static void keep(plb_canvas *c, bool ok)
         plb_fail_memory(&c->failed);
 }
 
-/* A line or curve without a beginning begins at its own first point, as in cairo. */
+/* A line or curve without a current point begins at its own first point, as in cairo. */
 static bool has_begun(plb_canvas *c, point at)
 {
     if (c->path.ops.n > 0)
@@ -172,7 +172,7 @@ void plb_canvas_set_dash(plb_canvas *c, const double *mm, size_t n, double offse
 
 /* ---- painting ---- */
 
-/* An item with the pen's paint, its dashes copied. */
+/* Makes an item with the pen's paint and a copy of its dashes. */
 static bool copy_pen(const plb_canvas *c, item_kind kind, item *it)
 {
     *it = c->pen;
@@ -187,7 +187,7 @@ static bool copy_pen(const plb_canvas *c, item_kind kind, item *it)
     return true;
 }
 
-/* The path at hand becomes an item, and is gone. */
+/* Makes an item of the current path, which is empty afterwards. */
 static void add_item(plb_canvas *c, item_kind kind)
 {
     item it;
@@ -230,7 +230,7 @@ void plb_canvas_reset_clip(plb_canvas *c)
 
 /* ---- the drawing ---- */
 
-/* What is on the canvas goes into the drawing; the page and the pen stay. */
+/* Moves the items on the canvas into the drawing; the page and the pen stay. */
 static void hand_over(plb_canvas *c, plb_drawing *d)
 {
     d->list = c->list;

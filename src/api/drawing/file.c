@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Files in memory and the pages in them.
+ * Reads files into memory, tells how many pages they have and loads one of them.
  */
 #include "api/pipeline.h"
 
@@ -14,7 +14,7 @@ struct plb_file {
     size_t size;
 };
 
-/* Without its bytes. */
+/* Copies the source without its bytes. */
 static plb_file *new_file(const char *name, error *err)
 {
     plb_file *f = plb_new(1, sizeof *f);
@@ -76,7 +76,7 @@ void plb_file_free(plb_file *f)
     plb_free(f);
 }
 
-/* `spent`: 0, lives as long as the source. */
+/* Makes the input source of the page that the options name; *spent is 0 and lives as long as the source. */
 static input_source source_of(const plb_file *f, const plb_options *o, const api_adaptor *adaptor, double *spent)
 {
     return (input_source){.name = f->name, .data = f->data, .size = f->size, .helper_dir = o->helper_dir,

@@ -1,10 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * The strokes of a drawing, one by one: what is meant, and what the hand makes of it.
+ * This file gives the strokes of a drawing one at a time: the line that is meant, and the path that the hand makes of
+ * it.
  */
 #include "api/pipeline.h"
 
-/* The two hold the same, one for callers, the other for the library. */
+/* The callers' types and the library's have the same layout and values. */
 _Static_assert(sizeof(plb_point) == sizeof(point), "plb_point and point must agree");
 _Static_assert((int)PLB_STROKE_LINE == STROKE_LINE && (int)PLB_STROKE_HATCH == STROKE_HATCH && (int)PLB_STROKE_LETTER == STROKE_LETTER &&
                    (int)PLB_STROKE_GUIDE == STROKE_GUIDE,

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A file of several pages, drawn one after the other.
+ * Writes a file of several pages, drawn one after the other.
  */
 #include "api/output/sheet.h"
 

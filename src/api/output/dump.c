@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the stages made, shown: the display list and the strokes as text, the paths and control points as a picture.
+ * Shows what the stages made: the display list and the strokes as text, the paths and control points as a picture.
  */
 #include "api/pipeline.h"
 

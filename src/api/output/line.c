@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * One line, drawn straight onto the caller's surface.
+ * Draws single lines straight onto the caller's surface.
  */
 #include "api/pipeline.h"
 
@@ -21,7 +21,7 @@ static bool lay_on_surface(void *closure, const patch *p)
     return true;
 }
 
-/* The identity of a line is a hash of its ends and the caller's line_id, as that of a planned stroke is of its shape. */
+/* Makes a line's identity a hash of its ends and the caller's line_id, as a planned stroke's identity is a hash of its shape. */
 static uint64_t identity_of(const point ends[2], uint64_t line_id)
 {
     uint64_t h = random_mix(line_id + 1);
@@ -30,8 +30,8 @@ static uint64_t identity_of(const point ends[2], uint64_t line_id)
     return h | 1;
 }
 
-/* Whether cairo has an image there that graphite can be laid on. A surface that was finished has lost its pixels, and says so
- * only once it is to be changed. */
+/* Tells whether cairo has an image there that graphite can be laid on. A surface that was finished has lost its pixels,
+ * and reports this only once something changes the surface. */
 static bool check_surface(cairo_surface_t *surface, error *err)
 {
     if (!surface || cairo_surface_get_type(surface) != CAIRO_SURFACE_TYPE_IMAGE)
@@ -53,7 +53,7 @@ static bool check_ends(const double px[4], error *err)
     return sane || plb_fail(err, ERROR_ARGUMENT, "a line's ends must lie within a million pixels");
 }
 
-/* What lines are drawn with, and on. */
+/* A line_tools holds the surface and all that a call draws its lines with. */
 typedef struct {
     const render_context *t;
     line_target to;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * A part of the page in pixels of the caller's.
+ * Draws a part of the page into pixels of the caller's.
  */
 #include "api/render/render.h"
 
@@ -17,7 +17,7 @@ typedef struct {
     uint8_t *row;
 } pixel_target;
 
-/* Pixels of the page as the caller wants them: grey becomes red, green and blue, what has no alpha is opaque. */
+/* Converts pixels of the page to the caller's format: grey becomes red, green and blue; pixels without alpha are opaque. */
 static void convert(const pixel_target *t, const uint8_t *from, uint8_t *to, int n)
 {
     bool grey = t->channels < PIGMENT_PLANES, wants_grey = t->wanted < PIGMENT_PLANES;

@@ -8,13 +8,13 @@
 
 #include <errno.h>
 
-/* What a picture says of itself. */
+/* These texts say in a picture what made it. */
 typedef struct {
     char software[64], value[3][64];
     const char *text[11];
 } labels;
 
-/* The settings that make a stroke what it is; an arm that the model chose is told too. */
+/* Lists the settings that make a stroke what it is; an arm that the model chose is named too. */
 static void label(labels *l, const plb_options *o, const render_context *t)
 {
     static const char *const names[][2] = {{"seed", "Plumbago-Seed"}, {"pencil", "Plumbago-Pencil"}, {"model", "Plumbago-Model"}};

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The drawn page as the caller's cairo surface.
+ * Draws the page as a new cairo surface for the caller.
  */
 #include "api/render/render.h"
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The strokes as paths: where the arm moves, not where the drawing has its lines. Each stroke is one path, as broad as the
- * pencil's line; how dark it is, its opacity tells: strokes that cross are darker there, as graphite over graphite is.
+ * Writes the strokes as paths that follow the arm, not the drawing's own lines. Each stroke is one path, as broad as
+ * the pencil's line, and its opacity tells how dark the stroke is: where strokes cross the page is darker, as graphite
+ * over graphite is.
  */
 #include "api/output/sheet.h"
 
@@ -9,11 +10,11 @@
 
 #include <stdio.h>
 
-/* How far the curves may lie from the samples of the hand's path, mm: less than any plotter's step. */
+/* The curves lie at most so far from the samples of the hand's path, mm: less than any plotter's step. */
 #define MAX_ERROR 0.005
-/* Opacities: what is fainter is hardly seen on screens. */
+/* Opacities have this lower bound, because fainter paths are hardly seen on screens. */
 #define FAINTEST 0.05
-/* Strokes between two reports of progress. */
+/* So many strokes are written between two reports of progress. */
 #define REPORT_EVERY 64
 
 typedef ARRAY(uint32_t) colour_list;
@@ -32,7 +33,7 @@ static bool is_listed(const colour_list *list, uint32_t colour)
     return false;
 }
 
-/* The pencils' colours in the order in which they are first taken up. */
+/* Lists the pencils' colours in the order in which a stroke first needs them. */
 static bool list_colours(colour_list *list, const stroke_list *strokes)
 {
     uint32_t last = 0;
@@ -47,7 +48,7 @@ static bool list_colours(colour_list *list, const stroke_list *strokes)
     return true;
 }
 
-/* Samples that lie where the one before does are left out. */
+/* Leaves out samples that lie where the one before lies. */
 static bool take_samples(tracer *t)
 {
     t->samples.n = 0;
@@ -61,7 +62,7 @@ static bool take_samples(tracer *t)
     return true;
 }
 
-/* The mean pressure's cover of the paper. */
+/* Gives the share of the paper that a line covers at the stroke's mean pressure. */
 static double opacity_of(const stroke *s, const path_samples *drawn, const render_context *t)
 {
     double pressure = (double)(s->style.pressure > 0 ? s->style.pressure : 1) * (t->stroke.pressure > 0 ? t->stroke.pressure : 1);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The drawn page as a file, as bytes for a function of the caller's, or in memory.
+ * Writes the drawn page as a file, as bytes for a function of the caller's, or into memory.
  */
 #include "api/output/sheet.h"
 

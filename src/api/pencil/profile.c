@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The pencils of the public interface: loading, figures, capture, reports.
+ * This file is the public interface to pencils: loading, figures, capture, reports.
  */
 #include "api/api_internal.h"
 #include "api/plumbago.h"
@@ -114,7 +114,7 @@ bool plb_profile_save(const plb_profile *pencil, const char *file, plb_error *to
     return plb_api_finish(&failed, to);
 }
 
-/* Reports on a stream of the caller's. */
+/* The reports go to a stream of the caller's. */
 static bool written(bool good, plb_error *to)
 {
     error failed = {0};

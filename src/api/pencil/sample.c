@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Lines for the capture of a pencil to compare with its scans: as the usual options draw them.
+ * Draws the lines that a capture compares with its scans, with the usual options.
  */
 #include "api/pipeline.h"
 #include "api/pencil/sample.h"
@@ -43,7 +43,7 @@ bool plb_api_sample(void *closure, const profile *p, int lines, int width, int h
     stroke_scratch scratch = {0};
     bool good = true;
     for (int i = 0; i < lines && good; i++) {
-        /* Lines lie in all ways over the rows of pixels, and each on paper of its own. */
+        /* The lines cross the rows of pixels at all angles, and each lies on paper of its own. */
         double y = (height / 2 + (double)i / lines) * mm;
         point ends[2] = {{MARGIN * mm, y}, {(width - MARGIN) * mm, y}};
         stroke one = {.style = STROKE_STYLE_USUAL, .identity = random_mix((uint64_t)i), .n = 2};

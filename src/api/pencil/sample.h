@@ -4,7 +4,7 @@
 
 #include "profile/profile.h"
 
-/* A line_sampler: lines of a free hand on medium paper, one way to go by in all figures. `closure` is not used. */
+/* Draws lines of a free hand on medium paper in one direction: a line_sampler. `closure` is not used. */
 bool plb_api_sample(void *closure, const profile *p, int lines, int width, int height, uint8_t *grey, error *err);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The scale of tones: see tone.h. A swatch is planned and drawn as any fill is, once for each of the techniques from
- * faint to dark, and its mean darkness read in the middle. So a tone is met with any pencil, paper, pressure or model.
+ * Measures the scale of tones (tone.h). A swatch is planned and drawn like any fill, once for each technique from faint
+ * to dark, and its mean darkness is read in the middle. So a tone is met with any pencil, paper, pressure or model.
  */
 #include "api/pencil/tone.h"
 
@@ -11,16 +11,16 @@
 
 #include <math.h>
 
-/* Side of a swatch: so many lines across, but within bounds, mm; drawn at a coarse resolution, for its mean only. */
+/* A swatch is so many lines across, within bounds in mm, and is drawn at a coarse resolution, because only its mean counts. */
 #define SWATCH_LINES 9
 #define SWATCH_MIN 5.0
 #define SWATCH_MAX 14.0
 #define SWATCH_DPI 150.0
-/* Left out all around: there ends stray, and the outline runs. */
+/* A margin of so many mm is not measured: there ends stray, and the outline runs. */
 #define SWATCH_EDGE 0.8
-/* Each step is darker than the one before by this at least, though a swatch's chance would have it otherwise. */
+/* Each step is darker than the one before by at least so much, even where a swatch came out lighter by chance. */
 #define MIN_STEP 0.004
-/* Seed of swatches: the scale belongs to the pencil, not to the drawing. */
+/* All swatches have this seed: the scale belongs to the pencil, not to the drawing. */
 #define SWATCH_SEED 1
 
 bool plb_api_needs_tone(const display_list *list, const plan_options *options)
@@ -81,7 +81,7 @@ static bool draw_strokes(const stroke_list *strokes, const render_context *t, sw
     return ok;
 }
 
-/* A page of `side` mm, filled with a grey. */
+/* Makes a page of `side` mm, filled with a grey. */
 static bool plan_swatch(double side, double darkness, const plan_options *options, stroke_list *out, error *err)
 {
     display_list list;
@@ -89,7 +89,7 @@ static bool plan_swatch(double side, double darkness, const plan_options *option
     item it = {.kind = ITEM_FILL, .paint = {PAINT_SOLID, grey, grey, grey, 1}, .clip = NO_CLIP};
     plb_list_init(&list);
     list.width = list.height = side;
-    double a = SWATCH_EDGE / 2, b = side - a; /* with a margin, lest it be taken for the paper */
+    double a = SWATCH_EDGE / 2, b = side - a; /* with a margin: a fill of the whole page counts as the paper */
     bool ok = (plb_path_move(&it.path, (point){a, a}) && plb_path_line(&it.path, (point){b, a}) && plb_path_line(&it.path, (point){b, b}) &&
                plb_path_line(&it.path, (point){a, b})) || plb_fail_memory(err);
     ok = ok && plb_list_add(&list, &it, err);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * See bands.h. A stroke goes to every band that its path, known from the arm, comes near; its graphite is made anew for
- * each, which is cheaper than keeping it, as bands are high.
+ * Finds the strokes of each band (bands.h). A stroke goes to every band that its path, known from the arm, comes near;
+ * its graphite is made again for each, which is cheaper than keeping it, as bands are high.
  */
 #include "api/render/bands.h"
 
@@ -10,7 +10,7 @@
 
 #include <string.h>
 
-/* Strokes that a thread takes at a time. */
+/* A thread takes so many strokes at a time. */
 #define BATCH 64
 
 typedef struct {
@@ -48,7 +48,7 @@ static bool find_batch(void *closure, int member, size_t batch)
     return true;
 }
 
-/* Counts, then places: each band's strokes in order. */
+/* Counts the strokes of each band, then fills in their indices in order. */
 static bool sort(band_strokes *b, const span *spans, size_t n)
 {
     for (size_t i = 0; i < n; i++)

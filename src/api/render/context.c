@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a call draws with: the pencil's tables, the graphite's, the arm.
+ * Makes what a call draws with: the pencil's tables, the graphite's, the arm.
  */
 #include "api/pipeline.h"
 

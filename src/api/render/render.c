@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * See render.h. All threads draw on one band at a time: they take its strokes batch by batch and lay their patches on
- * it; deposits add up to the same whatever the order.
+ * Draws the strokes band by band (render.h). All threads draw on one band at a time: they take its strokes batch by
+ * batch and lay their patches on it; deposits add up to the same whatever the order.
  */
 #include "api/render/render.h"
 
@@ -10,15 +10,15 @@
 #include "system/thread_team.h"
 #include "base/number/units.h"
 
-/* Strokes that a thread takes at a time, and of which the caller hears as progress. */
+/* A thread takes so many strokes at a time, and the caller hears of progress after each batch. */
 #define BATCH 16
-/* The most memory for a band (chosen by measurement: an A0 page at 600 dpi comes in some 20). */
+/* A band takes at most so much memory (chosen by measurement: an A0 page at 600 dpi comes in some 20). */
 #define BAND_BYTES (48 << 20)
-/* A further thread is worth its start from so many strokes and pixels on. */
+/* A further thread pays for its start when it has so many strokes and pixels to draw. */
 #define STROKES_PER_MEMBER 50
 #define PIXELS_PER_MEMBER 1e6
 
-/* A thread's pencil on the page. */
+/* A layer is a thread's pencil on the page. */
 typedef struct {
     page *page;
     pigment with;
@@ -96,7 +96,7 @@ static bool draw_batch(void *closure, int member, size_t batch)
     return true;
 }
 
-/* The first failed thread's error: they fail for want of memory or because a stroke is too long, whichever it is. */
+/* Passes on the error of the first thread that failed: all fail for want of memory or because a stroke is too long. */
 static bool fail(const render_job *c, error *err)
 {
     for (int k = 0; k < THREAD_TEAM_MAX; k++)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The options of a call, made, changed by name and checked. Their defaults are those of the table.
+ * Makes the options of a call, changes them by name and checks them. Their defaults are those of the table.
  */
 #include "api/settings/settings.h"
 

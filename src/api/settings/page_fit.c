@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * See page_fit.h. A page is given by name, by both sides, by one, or by nothing; a picture of WxH pixels gives a page that is not
- * given its shape.
+ * Fits the drawing to its page (page_fit.h). A page is given by name, by both sides, by one, or by nothing; a picture
+ * of WxH pixels gives its shape to a page that is not given.
  */
 #include "api/settings/page_fit.h"
 
@@ -15,14 +15,14 @@ typedef struct {
     double width, height; /* mm; 0: not given */
 } page_sides;
 
-/* A named page lies as the drawing does, unless its name says how. */
+/* A named page lies like the drawing, upright or across, unless its name says portrait or landscape. */
 static page_sides named_page(const page_choice *p, bool is_wide)
 {
     bool turned = p->turn == PAGE_LANDSCAPE || (p->turn == PAGE_AS_DRAWN && is_wide);
     return turned ? (page_sides){p->height, p->width} : (page_sides){p->width, p->height};
 }
 
-/* The page with the shape of the picture: around a side that is given, else around the drawing, which is `w` by `h` with margins. */
+/* Makes a page with the shape of the picture: around a side that is given, else around the drawing, which is `w` by `h` with margins. */
 static page_sides shaped_page(const plb_options *o, double w, double h)
 {
     double shape = (double)o->pixels.width / o->pixels.height;
@@ -41,7 +41,7 @@ bool plb_page_fit(const plb_options *o, double width, double height, double pape
         page = named_page(&o->page_size, width > height);
     else if (o->pixels.height > 0 && !(page.width > 0 && page.height > 0))
         page = shaped_page(o, width * f + margins, height * f + margins);
-    /* The drawing fills the sides that are given, or keeps its scale on them. */
+    /* Scales the drawing so that it fills the sides that are given, or keeps its scale where none is. */
     double sx = (page.width - margins) / width, sy = (page.height - margins) / height;
     if ((page.width > 0 && !(sx > 0)) || (page.height > 0 && !(sy > 0)))
         return plb_fail(err, ERROR_ARGUMENT, "margins of %g mm leave nothing of the page", o->margin);

@@ -10,22 +10,22 @@
 #include "api/plumbago.h"
 #include "base/error.h"
 
-/* The value of `arm` while the model decides. */
+/* `arm` has this value while the model decides. */
 #define ARM_AUTO (-1)
 
-/* A page by its name: its sides upright, mm, and how it lies. */
+/* A page_choice is a page by its name: its sides upright, mm, and how the page lies. */
 typedef enum { PAGE_AS_DRAWN, PAGE_PORTRAIT, PAGE_LANDSCAPE } page_turn;
 typedef struct {
     double width, height; /* 0: no name is given */
     page_turn turn;
 } page_choice;
 
-/* Pixels of the picture; height 0: it follows; both 0: the resolution says. */
+/* The size of the picture, pixels; height 0: the height follows from the width; both 0: the resolution decides. */
 typedef struct {
     int width, height;
 } picture_pixels;
 
-/* All values, each in a field that a row of the table names. Lengths are mm. */
+/* The options hold all values, each in a field that a row of the table names. Lengths are mm. */
 struct plb_options {
     plb_profile *profile; /* a reference of its own; never NULL */
     uint64_t seed;
@@ -57,14 +57,14 @@ struct plb_options {
     void *progress_closure;
 };
 
-/* A word that a setting takes, and its meaning: a value of an enumeration; of a page, its sides, mm. */
+/* A word that a setting takes has a meaning: a value of an enumeration; of a page, its sides, mm. */
 typedef struct {
     const char *name;
     int value;
     double width, height;
 } setting_word;
 
-/* A row of the table. */
+/* A setting is a row of the table. */
 typedef struct {
     plb_setting shown;
     size_t offset;     /* of its field in plb_options, whose type goes by the kind */
@@ -73,29 +73,28 @@ typedef struct {
     double automatic;  /* what the field holds for the word "auto", where that is the default */
 } setting;
 
-/* The row of that name; NULL: there is none. */
+/* Gives the row of that name; NULL: there is none. */
 const setting *plb_setting_find(const char *name);
-/* The row at `index`; NULL past the last. */
+/* Gives the row at `index`; NULL past the last. */
 const setting *plb_setting_row(size_t index);
 
-/* The word at `index`; its name is NULL past the last. */
+/* Gives the word at `index`; its name is NULL past the last. */
 setting_word plb_setting_word_at(const setting *s, size_t index);
 
-/* Reads `value` as the row's kind asks and stores the result; false and `err`, which says what the setting takes, when it cannot
- * be. */
+/* Reads `value` by the row's kind and stores the result; false, and `err` says what the setting takes, when the value is refused. */
 bool plb_setting_store(const setting *s, plb_options *o, const char *value, error *err);
-/* Writes the value as text that plb_setting_store reads. False when `size` bytes are too few. */
+/* Writes the value as text that plb_setting_store reads. False when `size` is too small. */
 bool plb_setting_print(const setting *s, const plb_options *o, char *text, size_t size);
-/* Whether both hold the same value. */
+/* Tells whether both options hold the same value. */
 bool plb_setting_is_equal(const setting *s, const plb_options *a, const plb_options *b);
 
-/* Whether it holds its default. */
+/* Tells whether the setting holds its default. */
 bool plb_setting_is_usual(const setting *s, const plb_options *o);
 
-/* Whether the settings go together. */
+/* Tells whether the settings go together. */
 bool plb_api_check(const plb_options *o, error *err);
-/* Whether `o`, given to a call that draws, goes with the options that the drawing was loaded with: what counts for loading must not
- * differ. `name` is the drawing's. */
+/* Tells whether `o`, given to a call that draws, goes with the options that the drawing was loaded with: what counts
+ * for loading must not differ. `name` is the drawing's. */
 bool plb_api_check_same(const plb_options *o, const plb_options *loaded, const char *name, error *err);
 
 #endif

@@ -28,7 +28,7 @@ static const char *model_name(size_t i)
     return model ? model->name : NULL;
 }
 
-/* In the order of --help; the groups are its headings. Ranges of lengths are mm. */
+/* The rows stand in the order of --help, whose headings are the groups. Ranges of lengths are mm. */
 static const setting table[] = {
     {{"page", 0, "Input", PLB_SETTING_WHOLE, "N", 1, 1e6, "", "auto", "which page of a file with several; auto: the first", LOAD},
      FIELD(page)},

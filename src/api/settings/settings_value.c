@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Values of settings as text, read and written by their kinds; the same in every locale.
+ * Reads and writes the values of settings as text, by their kinds; the same in every locale.
  */
 #include "api/settings/settings.h"
 
@@ -15,7 +15,7 @@
 #include <strings.h>
 
 #define AUTOMATIC "auto"
-/* A refused value is shown so far. */
+/* An error shows so many bytes of a refused value. */
 #define SHOWN 80
 
 static void *field_of(const setting *s, plb_options *o)
@@ -35,14 +35,14 @@ static bool has_automatic(const setting *s)
 
 /* ---- numbers ---- */
 
-/* The whole text is one decimal number, without an infinity. */
+/* Reads the whole text as one finite decimal number. */
 static bool read_number(const char *text, double *value)
 {
     const char *next;
     return plb_parse_number(text, text + strlen(text), value, &next) && !*next && isfinite(*value);
 }
 
-/* "0.5", "50%", "1/2" or "1:2". */
+/* Reads a ratio: "0.5", "50%", "1/2" or "1:2". */
 static bool read_ratio(const char *text, double *value)
 {
     const char *end = text + strlen(text), *next;
@@ -110,7 +110,7 @@ static bool store_choice(const setting *s, void *field, const char *text)
 
 static const char *const turns[] = {[PAGE_AS_DRAWN] = "", [PAGE_PORTRAIT] = "-portrait", [PAGE_LANDSCAPE] = "-landscape"};
 
-/* The words of a page may be in any case, and say how the page lies. */
+/* Reads the name of a page, in upper or lower case, perhaps with -portrait or -landscape. */
 static bool store_page(const setting *s, void *field, const char *text)
 {
     setting_word word;
@@ -123,7 +123,7 @@ static bool store_page(const setting *s, void *field, const char *text)
     return false;
 }
 
-/* "1200" or "800x600". */
+/* Reads a size in pixels: "1200" or "800x600". */
 static bool store_pixels(const setting *s, void *field, const char *text)
 {
     char width[16];
@@ -175,7 +175,7 @@ static bool store_pencil(plb_options *o, const char *text, error *err)
 
 /* ---- refusals ---- */
 
-/* "right, left or none" */
+/* Lists the words of a choice: "right, left or none". */
 static void list_words(const setting *s, char *text, size_t size)
 {
     setting_word word;
@@ -309,7 +309,7 @@ bool plb_setting_print(const setting *s, const plb_options *o, char *text, size_
     return fits;
 }
 
-/* The same pencil, perhaps loaded twice. */
+/* Tells whether both are the same pencil, perhaps loaded twice. */
 static bool is_same_pencil(const profile *a, const profile *b)
 {
     return a == b || (!strcmp(a->name, b->name) && a->width_half == b->width_half && a->hand == b->hand &&

@@ -38,7 +38,7 @@ static bool set_completions(void *p, const char *v)
 static bool set_list_pencils(void *p, const char *v) { return (void)v, ((settings *)p)->list_pencils = true; }
 static bool set_quiet(void *p, const char *v)
 {
-    settings *s = p; /* of -q and -v the last one holds */
+    settings *s = p; /* the last of -q and -v decides */
     (void)v;
     s->verbose = 0;
     return s->quiet = true;
@@ -53,8 +53,8 @@ static bool set_verbose(void *p, const char *v)
 static bool set_version(void *p, const char *v) { return (void)v, ((settings *)p)->version = true; }
 static bool set_help(void *p, const char *v) { return (void)v, ((settings *)p)->help = true; }
 
-/* The program's own options: each is listed after the setting that it names, or before those of the output (""), and one with
- * the name of a setting stands in its place. The rest makes a group of its own. */
+/* The program's own options: each is listed after the setting that it names, or before those of the output (""), and an
+ * option with the name of a setting stands in its place. The rest makes a group of its own. */
 static const struct {
     const char *after;
     option o;
@@ -76,7 +76,7 @@ static const struct {
 
 /* ---- the table ---- */
 
-/* A copy of text that lives as long as the table, which has room for what its rows need. */
+/* Copies text for as long as the table lives, which has space for what its rows need. */
 static const char *keep(command_table *t, const char *text)
 {
     size_t n = strlen(text) + 1;
@@ -93,7 +93,7 @@ static const char *pencil_word(const plb_setting *s, size_t i)
     return (void)s, plb_pencil_name(i);
 }
 
-/* "white none", or "white|none". NULL where there are no words. */
+/* Lists the words of a setting, "white none" or "white|none". NULL where there are no words. */
 static const char *words_of(command_table *t, const plb_setting *s, const char *between)
 {
     const char *(*word)(const plb_setting *, size_t) = s->kind == PLB_SETTING_PENCIL ? pencil_word : plb_setting_word;
@@ -105,7 +105,7 @@ static const char *words_of(command_table *t, const plb_setting *s, const char *
     return *text ? keep(t, text) : NULL;
 }
 
-/* The help of a setting with its range and its default. */
+/* Makes the help of a setting with its range and its default. */
 static const char *help_of(command_table *t, const plb_setting *s)
 {
     char range[96] = "", usual[64] = "";
@@ -171,7 +171,7 @@ void command_table_init(command_table *t)
 
 /* ---- values ---- */
 
-/* A length without a unit is told once: who means millimetres sees what he gets. */
+/* Tells once that a length has no unit: a user who means millimetres sees which unit counts. */
 static void note_bare_length(settings *s, const char *name, const char *value)
 {
     const plb_setting *row = NULL;
@@ -184,7 +184,7 @@ static void note_bare_length(settings *s, const char *name, const char *value)
         snprintf(s->note, sizeof s->note, "--%s %.32s is %.32s px, %.4g mm; write %.32smm for millimetres", name, value, value, mm, value);
 }
 
-/* A setting of the library. Its errors begin with its name. */
+/* Stores a setting of the library, whose errors begin with its name. */
 static bool store_setting(void *p, const option *o, const char *value, char why[OPTION_WHY_SIZE])
 {
     settings *s = p;

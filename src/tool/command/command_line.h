@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the command line of plumbago says: the settings of the library, from its table, and the program's own options.
+ * Reads the command line of plumbago: the settings of the library, from its table, and the program's own options.
  */
 #ifndef PLB_TOOL_COMMAND_COMMAND_LINE_H
 #define PLB_TOOL_COMMAND_COMMAND_LINE_H
@@ -27,7 +27,7 @@ typedef struct {
 
 #define MAX_OPTIONS 64 /* with headings */
 
-/* All options in the order of --help, and the texts that were made for them. */
+/* Holds all options in the order of --help, and the texts that were made for them. */
 typedef struct {
     option rows[MAX_OPTIONS];
     size_t n;
@@ -37,7 +37,7 @@ typedef struct {
 
 void command_table_init(command_table *t);
 
-/* Reads the arguments as options_parse does. */
+/* Reads the arguments with options_parse. */
 bool command_line_parse(settings *s, const command_table *t, int argc, char **argv, int *operands);
 
 #endif

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* No document has more; numbers above are mistakes. */
+/* No document has more pages; larger numbers are mistakes. */
 #define MAX_PAGES 1000000u
 
 static bool take_page(const char **at, unsigned *page)

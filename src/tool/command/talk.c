@@ -11,7 +11,7 @@
 #include <string.h>
 #include <unistd.h>
 
-/* Progress is shown from this second on. */
+/* The program shows progress from this second on. */
 #define PATIENCE 2
 
 bool talk_can_show_progress(void)
@@ -46,7 +46,7 @@ void talk_note(talk *t)
         talk_line(t, "note: ", t->command->note);
 }
 
-/* At most once for each percent. */
+/* Shows each percent at most once. */
 bool talk_progress(void *closure, double done)
 {
     talk *t = closure;

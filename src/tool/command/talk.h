@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What plumbago says on standard error: warnings, progress, errors.
+ * Writes plumbago's warnings, progress and errors on standard error.
  */
 #ifndef PLB_TOOL_COMMAND_TALK_H
 #define PLB_TOOL_COMMAND_TALK_H
@@ -19,18 +19,18 @@ typedef struct talk {
     int percent;         /* as shown last */
 } talk;
 
-/* Whether progress belongs on standard error: on a terminal that can go back to the start of a line. */
+/* Tells whether progress belongs on standard error: on a terminal that can go back to the start of a line. */
 bool talk_can_show_progress(void);
-/* As the library's plb_message_function and plb_progress_function; `closure` is a talk. */
+/* These are the library's plb_message_function and plb_progress_function; `closure` is a talk. */
 void talk_message(void *closure, int level, const char *text);
 bool talk_progress(void *closure, double done);
 
-/* Says the note of the command line, if there is one. */
+/* Prints the note of the command line, if there is one. */
 void talk_note(talk *t);
 
-/* A line that begins with the program's name. */
+/* Prints a line that begins with the program's name. */
 void talk_line(talk *t, const char *kind, const char *text);
-/* These print a line and give the exit status that goes with it. */
+/* These functions print a line and give the exit status that goes with it. */
 int talk_fail(talk *t, const plb_error *e);
 int talk_wrong(talk *t, const char *what);
 int talk_no_memory(void);

@@ -36,7 +36,7 @@ static void print_bash(const char *program, const option *table, size_t n)
 
 /* ---- zsh ---- */
 
-/* In single quotes, where brackets and colons would mean something. */
+/* Prints text that stands in single quotes, where brackets and colons would mean something. */
 static void print_zsh_text(const char *text)
 {
     for (; *text; text++)

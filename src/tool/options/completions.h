@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What shells complete, from a table of options.
+ * Prints what shells complete, from a table of options.
  */
 #ifndef PLB_TOOL_OPTIONS_COMPLETIONS_H
 #define PLB_TOOL_OPTIONS_COMPLETIONS_H

@@ -1,24 +1,24 @@
 /* SPDX-License-Identifier: MIT
  *
- * The rows of a table of options for --help.
+ * Prints the rows of a table of options for --help.
  */
 #include "tool/options/options.h"
 
 #include <stdio.h>
 #include <string.h>
 
-/* Where the explanations begin; options that reach beyond have theirs on the next line. */
+/* The explanations begin in this column; a longer option has its explanation on the next line. */
 #define HELP_COLUMN 30
 #define HELP_WIDTH 80
 
-/* The option and its argument; how many columns they take. */
+/* Prints the option and its argument; gives the number of columns they take. */
 static int print_left(const option *o)
 {
     int n = o->letter ? printf("  -%c, --%s", o->letter, o->name) : printf("      --%s", o->name);
     return n + (o->argument ? printf(" %s", o->argument) : 0);
 }
 
-/* Words in lines from HELP_COLUMN on, the first after `at` columns. */
+/* Prints words in lines from HELP_COLUMN on, the first after `at` columns. */
 static void print_right(const char *text, int at)
 {
     while (*text) {

@@ -32,7 +32,7 @@ size_t nearest_distance(const char *word, const char *text, size_t n)
     return d[m][n];
 }
 
-/* One letter in short words, a third of long ones: chosen by eye; more would propose words nobody meant. */
+/* A short word may differ by one letter, a long one by a third (chosen by eye: more would propose words nobody meant). */
 size_t nearest_limit(size_t n)
 {
     return n < 6 ? 1 : n / 3;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * How far a mistyped word lies from another.
+ * Measures how far a mistyped word lies from another.
  */
 #ifndef PLB_TOOL_OPTIONS_NEAREST_H
 #define PLB_TOOL_OPTIONS_NEAREST_H
@@ -9,10 +9,10 @@
 
 #define NEAREST_FAR ((size_t)-1)
 
-/* How many letters of `text`, of `n` bytes, must be changed, left out, added or swapped with their neighbour to make `word`.
- * NEAREST_FAR for long words. */
+/* Gives the number of letters of `text`, of `n` bytes, that must be changed, left out, added or swapped with their
+ * neighbour to make `word`. NEAREST_FAR for long words. */
 size_t nearest_distance(const char *word, const char *text, size_t n);
-/* So far away may a word be that was meant by n letters. */
+/* Gives the largest distance of a word that n letters may have meant. */
 size_t nearest_limit(size_t n);
 
 #endif

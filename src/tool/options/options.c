@@ -31,7 +31,7 @@ static const option *find_name(const option *table, size_t n, const char *name, 
     return NULL;
 }
 
-/* "--widht" is nearest to --width. */
+/* Finds the option nearest to a mistyped one: --width for "--widht". */
 static bool complain_of_name(const option_parser *by, const char *word, size_t length)
 {
     const char *nearest = NULL;
@@ -73,7 +73,7 @@ static bool store(const option_parser *by, const option *o, void *settings, cons
     return false;
 }
 
-/* "--name", "--name=value" or "--name" "value"; moves *i over a value of its own. */
+/* Reads "--name", "--name=value" or "--name" "value"; moves *i over a value of its own. */
 static bool parse_long(const option_parser *by, int argc, char **argv, int *i, void *settings)
 {
     const char *name = argv[*i] + 2, *equals = strchr(name, '=');
@@ -90,7 +90,7 @@ static bool parse_long(const option_parser *by, int argc, char **argv, int *i, v
     return store(by, o, settings, argv[++*i]);
 }
 
-/* "-qv", "-ofile" or "-o" "file". */
+/* Reads "-qv", "-ofile" or "-o" "file". */
 static bool parse_letters(const option_parser *by, int argc, char **argv, int *i, void *settings)
 {
     for (const char *p = argv[*i] + 1; *p; p++) {

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Command lines from tables: the parser, --help, the completions of shells and the check against the manual all read the same rows.
+ * Reads command lines by tables: the parser, --help, the completions of shells and the check against the manual all
+ * read the same rows.
  */
 #ifndef PLB_TOOL_OPTIONS_OPTIONS_H
 #define PLB_TOOL_OPTIONS_OPTIONS_H
@@ -10,7 +11,7 @@
 
 #define OPTION_WHY_SIZE 512
 
-/* One option. Rows without a name are headings for --help. */
+/* An option is a row of the table. Rows without a name are headings for --help. */
 typedef struct {
     char letter;          /* 'o' for -o, or 0 */
     const char *name;     /* "output" for --output */
@@ -22,7 +23,7 @@ typedef struct {
     const char *alias;    /* another name, which --help does not list by itself; NULL: none */
 } option;
 
-/* Stores the value of an option that has no `set` of its own. False: `why` says what it takes. */
+/* Stores the value of an option that has no `set` of its own. False: `why` says what the option takes. */
 typedef bool option_store(void *settings, const option *o, const char *value, char why[OPTION_WHY_SIZE]);
 
 typedef struct {
@@ -33,7 +34,7 @@ typedef struct {
 } option_parser;
 
 /* Reads argv[1…]: options anywhere, "--" ends them, "-" is an operand. Operands are moved to the front of argv and
- * *operands gets their count. False after one line on stderr that names the culprit, and what was meant perhaps. */
+ * *operands gets their count. False after one line on stderr that names the culprit and, perhaps, what was meant. */
 bool options_parse(const option_parser *by, int argc, char **argv, void *settings, int *operands);
 
 /* Prints the rows of the table for --help, within 80 columns. */

@@ -15,7 +15,7 @@
 #define STACK_BYTES ((rlim_t)8 << 20)       /* as systems give by default */
 #define STACK_BYTES_MIN ((rlim_t)256 << 10) /* twice of what the largest drawings took */
 
-/* A sanitizer's own process looks for leaks in our memory. */
+/* A sanitizer's own process looks for leaks in our memory, so the memory stays open to it. */
 #if defined(__SANITIZE_ADDRESS__)
 #define IS_LOOKED_INTO 1
 #elif defined(__has_feature)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the programs make of the process that they were started in.
+ * Prepares the process that the programs were started in.
  */
 #ifndef PLB_TOOL_OPTIONS_SURROUNDINGS_H
 #define PLB_TOOL_OPTIONS_SURROUNDINGS_H
