@@ -81,7 +81,7 @@ static bool draw_strokes(const stroke_list *strokes, const render_context *t, sw
     return ok;
 }
 
-/* Makes a page of `side` mm, filled with a grey. */
+/* Plans the strokes of a page of `side` mm that is filled with a grey. */
 static bool plan_swatch(double side, double darkness, const plan_options *options, stroke_list *out, error *err)
 {
     display_list list;

@@ -63,7 +63,7 @@ static bool refill(scanner *s)
     return false;
 }
 
-/* Is there a byte at s->at? */
+/* Tells whether there is a byte at s->at. */
 static inline bool have(scanner *s)
 {
     return s->at < s->end || refill(s);
@@ -102,8 +102,8 @@ static bool skip_blank(scanner *s)
     return false;
 }
 
-/* A blank that ends a name or number belongs to it: data read by the program start behind it. The token's text may
- * lie in the bytes at hand, so they are not refilled here. */
+/* Steps over the blank that ends a name or number and belongs to it: data read by the program start behind the blank.
+ * The token's text may lie in the bytes at hand, so they are not refilled here. */
 static void eat_blank(scanner *s)
 {
     if (s->at >= s->end || class_at(s->at) != BLANK)
@@ -151,8 +151,8 @@ static bool token_of_buffer(scanner *s, token *t, token_kind kind)
 static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
                               1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
 
-/* A decimal without exponent, of at most 17 digits, that ends within the bytes at hand; false: not that. The same
- * value as plb_parse_number: its powers of ten are exact up to 1e22, as are these. */
+/* Reads a decimal without exponent, of at most 17 digits, that ends within the bytes at hand; false: something else
+ * stands there. The value is that of plb_parse_number: the powers of ten of both are exact up to 1e22. */
 static bool fast_number(scanner *s, token *t)
 {
     const char *p = s->at, *end = s->end;
@@ -183,7 +183,7 @@ static bool fast_number(scanner *s, token *t)
     return true;
 }
 
-/* The run of regular bytes from s->at on. */
+/* Gives the end of the regular bytes from s->at on. */
 static bool take_regular(scanner *s, token *t, error *err)
 {
     const char *p = s->at;
@@ -220,7 +220,7 @@ static unsigned digit_value(char c)
     return 99;
 }
 
-/* base#digits: an unsigned number whose 32 bits are taken as a signed integer. */
+/* Reads base#digits: an unsigned number whose 32 bits are taken as a signed integer. */
 static bool radix_number(const char *text, size_t length, double *value)
 {
     const char *hash = memchr(text, '#', length < 3 ? length : 3), *end = text + length;
@@ -246,7 +246,7 @@ static bool radix_number(const char *text, size_t length, double *value)
     return true;
 }
 
-/* Is the word a number? What is not is a name, whatever it starts with. */
+/* Tells whether the word is a number. All other words are names, whatever they start with. */
 static void classify(token *t)
 {
     const char *next = NULL, *end = t->text + t->length;
@@ -290,7 +290,7 @@ static bool scan_slash(scanner *s, token *t, error *err)
 
 /* ---- strings ---------------------------------------------------------------------------------------------- */
 
-/* A string without escapes or CR that lies whole in the bytes at hand; false: not that. */
+/* Reads a string without escapes or CR that lies whole in the bytes at hand; false: something else stands there. */
 static bool fast_string(scanner *s, token *t)
 {
     int depth = 1, lines = 0;
@@ -311,7 +311,7 @@ static bool fast_string(scanner *s, token *t)
     return false;
 }
 
-/* What follows a backslash: a letter of the table, one to three octal digits, a line end (nothing), itself. */
+/* Reads what follows a backslash: a letter of the table, one to three octal digits, a line end (nothing), itself. */
 static bool scan_escape(scanner *s, error *err)
 {
     static const char letters[] = "nrtbf", means[] = "\n\r\t\b\f";
@@ -374,7 +374,7 @@ static bool scan_hex(scanner *s, token *t, error *err)
     return plb_fail(err, ERROR_SYNTAX, "the hexadecimal string that starts here never ends");
 }
 
-/* The first `n` of the four bytes of a group of ASCII85 digits. */
+/* Decodes the first `n` of the four bytes of a group of ASCII85 digits. */
 static bool keep_group(scanner *s, uint64_t group, int n, error *err)
 {
     if (group > UINT32_MAX)
@@ -385,7 +385,7 @@ static bool keep_group(scanner *s, uint64_t group, int n, error *err)
     return true;
 }
 
-/* After the `~`: the last, partial group, padded with the highest digit. */
+/* Decodes the last, partial group after the `~`, padded with the highest digit. */
 static bool finish_ascii85(scanner *s, uint64_t group, int count, error *err)
 {
     if (!have(s) || *s->at != '>')

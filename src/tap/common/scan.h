@@ -37,7 +37,7 @@ typedef struct {
 
 typedef struct {
     const char *at, *end;   /* bytes not yet scanned */
-    /* Called at the end of the bytes: gives more (and true), or false at the end of the input. May be NULL. */
+    /* The scanner calls this at the end of the bytes: gives more (and true), or false at the end of the input. May be NULL. */
     bool (*refill)(void *closure, const char **data, size_t *size);
     void *closure;
     int line;               /* of the token last read (its first byte), from 1 */
@@ -45,7 +45,7 @@ typedef struct {
     ARRAY(char) buffer;     /* text of tokens that need unescaping or cross a refill */
 } scanner;
 
-/* The longest name or string in bytes; longer ones are an error. */
+/* Names and strings have at most so many bytes; longer ones are an error. */
 #define SCAN_MAX_TOKEN ((size_t)16 << 20)
 
 void plb_scan_init(scanner *s, const char *data, size_t size);

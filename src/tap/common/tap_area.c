@@ -3,10 +3,10 @@
 
 #include <math.h>
 
-/* How far points may lie off a line, in steps of cairo's numbers (1/256), to count as on it. */
+/* Points count as on a line up to this distance, in steps of cairo's numbers (1/256). */
 #define FLAT (4.0 / 256)
 
-/* Do all points from `from` to `to` lie on one line? */
+/* Tells whether all points from `from` to `to` lie on one line. */
 static bool is_flat(const point *from, const point *to)
 {
     point far = {0, 0};

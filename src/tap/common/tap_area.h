@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shapes without an area, whose filling leaves no ink.
+ * Finds shapes without an area, whose filling leaves no ink.
  */
 #ifndef PLB_TAP_COMMON_TAP_AREA_H
 #define PLB_TAP_COMMON_TAP_AREA_H

@@ -9,7 +9,7 @@ typedef struct {
     unsigned rgb;
 } named_colour;
 
-/* Sorted by name. */
+/* The names are sorted, for the search. */
 static const named_colour names[] = {
     {"aliceblue", 0xf0f8ff}, {"antiquewhite", 0xfaebd7}, {"aqua", 0x00ffff}, {"aquamarine", 0x7fffd4}, {"azure", 0xf0ffff},
     {"beige", 0xf5f5dc}, {"bisque", 0xffe4c4}, {"black", 0x000000}, {"blanchedalmond", 0xffebcd}, {"blue", 0x0000ff},

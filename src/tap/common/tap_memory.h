@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The end of a tap that has no memory left: see tap_memory.c.
+ * Ends a tap that has no memory left (tap_memory.c).
  */
 #ifndef PLB_TAP_COMMON_TAP_MEMORY_H
 #define PLB_TAP_COMMON_TAP_MEMORY_H

@@ -41,14 +41,14 @@ static const xmlAttr *attribute(const xmlNode *n, const char *name)
     return a;
 }
 
-/* Its text, to be freed with xmlFree; NULL: none. */
+/* Gives the text of an attribute, to be freed with xmlFree; NULL: there is none. */
 static char *value(const xmlNode *n, const char *name)
 {
     const xmlAttr *a = attribute(n, name);
     return a ? (char *)xmlNodeListGetString(n->doc, a->children, 1) : NULL;
 }
 
-/* The declaration of a property in a style attribute: where its value starts; NULL: not there. */
+/* Finds the declaration of a property in a style attribute and gives the start of its value; NULL: there is none. */
 static char *declared(char *style, const char *property)
 {
     size_t n = strlen(property);
@@ -60,7 +60,7 @@ static char *declared(char *style, const char *property)
     return NULL;
 }
 
-/* The value of a property, by style or attribute; to be freed; NULL: not said. */
+/* Gives the value of a property, by style or attribute; to be freed; NULL: not said. */
 static char *property(const xmlNode *n, const char *name)
 {
     char *style = value(n, "style"), *at = style ? declared(style, name) : NULL;
@@ -73,7 +73,7 @@ static char *property(const xmlNode *n, const char *name)
     return result;
 }
 
-/* What "#name", or the name in "url(#name)", stands for. */
+/* Gives the element that "#name", or the name in "url(#name)", stands for. */
 static xmlNode *referred(const walk *w, const char *text)
 {
     const char *hash = text ? strchr(text, '#') : NULL;
@@ -85,7 +85,7 @@ static xmlNode *referred(const walk *w, const char *text)
     return n;
 }
 
-/* Has it a mask or a filter (`kind`) that is there? */
+/* Tells whether the element has a mask or a filter (`kind`) that the document defines. */
 static bool has(const walk *w, const xmlNode *n, const char *kind)
 {
     char *text = property(n, kind);
@@ -102,7 +102,7 @@ static bool is_displayed(const xmlNode *n)
     return shown;
 }
 
-/* Would a switch pass it over, asking for what librsvg has not? */
+/* Tells whether a switch passes the element over, because the element asks for what librsvg does not have. */
 static bool is_passed_over(const xmlNode *n)
 {
     char *features = value(n, "requiredFeatures"), *extensions = value(n, "requiredExtensions");
@@ -137,7 +137,7 @@ static bool visit_used(walk *w, const xmlNode *n, int depth)
     return is(target, "symbol") ? visit_children(w, target, depth + 1) : visit(w, target, depth + 1);
 }
 
-/* The element without its own mask and filter. */
+/* Counts the omissions of an element without its own mask and filter. */
 static bool visit_inside(walk *w, xmlNode *n, int depth)
 {
     static const char *const groups[] = {"svg", "g", "a", "switch", NULL};
@@ -166,7 +166,7 @@ static bool visit(walk *w, xmlNode *n, int depth)
     return true;
 }
 
-/* How often a style sheet has "property:url" or "property: url". */
+/* Counts how often a style sheet has "property:url" or "property: url". */
 static unsigned long rules(const char *sheet, const char *property)
 {
     unsigned long n = 0;
@@ -187,7 +187,7 @@ static xmlNode *next_node(xmlNode *n)
     return n ? n->next : NULL;
 }
 
-/* Names and style sheets; a rule counts once, whatever it applies to. */
+/* Collects names and style sheets; a rule counts once, whatever it applies to. */
 static void look_through(walk *w, xmlDoc *doc)
 {
     for (xmlNode *n = xmlDocGetRootElement(doc); n; n = next_node(n)) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What of an SVG document the tap leaves out on purpose, counted where it would be drawn.
+ * Counts what the tap leaves out of an SVG document on purpose, where the document would draw it.
  */
 #ifndef PLB_TAP_COMMON_TAP_OMISSIONS_H
 #define PLB_TAP_COMMON_TAP_OMISSIONS_H
@@ -9,8 +9,8 @@
 
 #include <stddef.h>
 
-/* text[0..size): a document that librsvg has read. Images are of whatever kind; masks and filters count on elements that
- * show something else than images; a foreignObject counts where it has no substitute. */
+/* Counts the omissions in text[0..size), a document that librsvg has read. Images are of whatever kind; masks and
+ * filters count on elements that show something else than images; a foreignObject counts where it has no substitute. */
 omissions plb_tap_count_omissions(const char *text, size_t size);
 
 #endif

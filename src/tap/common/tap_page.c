@@ -15,7 +15,7 @@
 
 tap_page plb_tap_page(void) { return (tap_page){.units = PAGE_UNITS}; }
 
-/* As a browser sizes an image: a missing extent follows from the viewBox, a percentage is of it. */
+/* Sizes the page as a browser sizes an image: a missing extent follows from the viewBox, a percentage is a share of the viewBox. */
 bool plb_tap_page_size(tap_page *p, tap_extent w, tap_extent h, const double *view)
 {
     if (!view && (w.is_share || h.is_share))
@@ -46,15 +46,15 @@ tap_placing plb_tap_place(const tap_page *p)
     return l;
 }
 
-/* In the order in which cairo calculates it, so that not the last digit depends on who does. */
+/* Inverts `m` in the order in which cairo calculates, so that the last digit is the same. */
 static matrix invert(matrix m)
 {
     double k = 1 / (m.xx * m.yy - m.yx * m.xy);
     return (matrix){m.yy * k, -m.yx * k, -m.xy * k, m.xx * k, (m.xy * m.y0 - m.yy * m.x0) * k, (m.yx * m.x0 - m.xx * m.y0) * k};
 }
 
-/* The number that a reader finds when `v` is printed with so many significant digits: what is turned back by a matrix
- * of 12 digits lies where it did before to far below the step of cairo's numbers. */
+/* Gives the number that a reader finds when `v` is printed with so many significant digits: coordinates that a matrix
+ * of 12 digits turns back lie where they did before, far below the step of cairo's numbers. */
 static double as_printed(double v, int digits)
 {
     char text[40];

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The page of a drawing, and how it lies on the surface that is written down: magnified, turned (tap_svg.c says why),
- * moved right so that it is all positive. Both roads of the tap place their drawing by this.
+ * Gives the page of a drawing, and how the page lies on the surface that is written down: magnified, turned (tap_svg.c
+ * says why), moved right so that all coordinates are positive. Both taps for SVG place their drawing by this file.
  */
 #ifndef PLB_TAP_COMMON_TAP_PAGE_H
 #define PLB_TAP_COMMON_TAP_PAGE_H
@@ -24,7 +24,7 @@ typedef struct {
     bool by_extents;
 } tap_page;
 
-/* A width or height as the document says it: px, or (is_share) a part of the viewBox's. */
+/* A tap_extent is a width or height as the document says it: px, or (is_share) a part of the viewBox's. */
 typedef struct {
     double value;
     bool is_share;
@@ -37,19 +37,19 @@ typedef struct {
     double fit;           /* librsvg's viewport holds the turned page: it is so much larger than the page */
 } tap_placing;
 
-/* Without a size. */
+/* Gives a page without a size. */
 tap_page plb_tap_page(void);
 
-/* The page's size by width, height and the size of the viewBox (NULL: none). False: only what is drawn can tell. */
+/* Finds the page's size from width, height and the size of the viewBox (NULL: none). False: only what is drawn can tell. */
 bool plb_tap_page_size(tap_page *p, tap_extent w, tap_extent h, const double *view);
 
-/* Neither empty nor too large? */
+/* Tells whether the page is neither empty nor too large. */
 bool plb_tap_page_is_there(const tap_page *p);
 bool plb_tap_page_is_fit(const tap_page *p);
 
 tap_placing plb_tap_place(const tap_page *p);
 
-/* The page on paper, mm, and the map from the script surface to it. */
+/* Gives the page on paper, mm, and the map from the script surface to the page. */
 typedef struct {
     double width, height;
     matrix to_page;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Path data (SVG 1.1, section 8.3) and lists of points, as librsvg reads them. What is not well-formed is refused as a
- * whole.
+ * Reads path data (SVG 1.1, section 8.3) and lists of points with librsvg's meaning. Data that are not well-formed are
+ * refused as a whole.
  */
 #include "tap/plain/plain_path.h"
 
@@ -27,7 +27,8 @@ static void arrive(data *d, double x, double y)
     d->y = d->cubic_y = d->quadratic_y = y;
 }
 
-/* With square caps only a single subpath that leaves its start at once is sure. */
+/* Tells whether librsvg is sure to draw the point in the same way: with square caps only in a single subpath that
+ * leaves its start at once. */
 static bool is_sure(data *d, double x, double y)
 {
     if (d->is_square && !d->has_left && !(fabs(x - d->start_x) > PLAIN_NEAR || fabs(y - d->start_y) > PLAIN_NEAR))
@@ -105,7 +106,7 @@ static bool close(data *d, const double *v)
 
 /* ---- commands ----------------------------------------------------------------------------------------------- */
 
-/* `kinds`: what each number is: x and y are places, f a flag, n a number as it is. */
+/* `kinds` says what each number is: x and y are places, f a flag, n a plain number. */
 typedef struct {
     char letter;
     const char *kinds;
@@ -146,7 +147,7 @@ static bool read_value(data *d, char kind, double *v)
     return true;
 }
 
-/* One set of a command's numbers; commas may stand between any two. */
+/* Reads one set of a command's numbers; commas may stand between any two. */
 static bool read_values(data *d, const char *kinds, double v[7])
 {
     for (size_t i = 0; kinds[i]; i++) {
@@ -158,7 +159,7 @@ static bool read_values(data *d, const char *kinds, double v[7])
     return true;
 }
 
-/* Does another set of numbers follow? After a comma it must. */
+/* Tells whether another set of numbers follows, which must be after a comma. */
 static bool goes_on(plain_text *t)
 {
     plb_plain_blank(t);
@@ -202,7 +203,7 @@ bool plb_plain_data(plain_path *p, plain_text text, bool square)
 
 /* ---- points ------------------------------------------------------------------------------------------------- */
 
-/* Between points there is a comma or there are blanks; librsvg takes no blanks before the comma, and no comma at the end. */
+/* Reads a comma or blanks between points; librsvg takes no blanks before the comma, and no comma at the end. */
 static bool read_point(plain_text *t, double v[2], bool *more)
 {
     if (!plb_plain_css_number(t, &v[0]))

@@ -25,7 +25,7 @@ static bool keep(void *closure, const char *data, size_t n)
 
 /* ---- numbers ------------------------------------------------------------------------------------------------ */
 
-/* The value of a number that cairo has printed into a script: six places; below 0.1 six digits. */
+/* Gives the value of a number that cairo has printed into a script: six places; below 0.1 six digits. */
 static double as_cairo_prints(double v)
 {
     char text[400];
@@ -39,7 +39,7 @@ static double as_cairo_prints(double v)
     return v;
 }
 
-/* The same for `steps` of a coordinate. Between .1 and .01 there are seven places; below, eight are exact. */
+/* Gives the value of a printed coordinate of so many `steps`. Between .1 and .01 there are seven places; below, eight are exact. */
 static double coordinate(int32_t steps)
 {
     double v = steps / STEPS, size = fabs(v), places = size >= 0.1 ? 1e6 : size >= 0.01 ? 1e7 : 1e8;
@@ -68,7 +68,7 @@ static paint colour(const plain_list *s, const plain_paint *p)
 
 /* ---- the pen ------------------------------------------------------------------------------------------------ */
 
-/* As cairo keeps dashes: the offset lies within one period. False: cairo would draw something else than these. */
+/* Keeps dashes as cairo does: the offset lies within one period. False: cairo would draw other dashes than these. */
 static bool normalise_dashes(plain_pen *p, const matrix *m)
 {
     double on = 0, off = 0;
@@ -92,7 +92,7 @@ static bool normalise_dashes(plain_pen *p, const matrix *m)
     return true;
 }
 
-/* What lengths of the pen grow by on paper. */
+/* Gives the factor by which lengths of the pen grow on paper. */
 static double pen_scale(const plain_list *s, matrix m)
 {
     bool is_unit = fabs(m.xx - 1) < SAME && fabs(m.yy - 1) < SAME && fabs(m.yx) < SAME && fabs(m.xy) < SAME;
@@ -113,10 +113,10 @@ static bool same_pen(const plain_pen *a, const plain_pen *b)
            !memcmp(a->dashes, b->dashes, (size_t)a->n_dashes * sizeof *a->dashes);
 }
 
-/* To the last digit, without the translation: a line with the same has the same width. */
+/* Tells whether two matrices agree to the last digit but for the translation: lines under both have the same width. */
 static bool same_matrix(const matrix *a, const matrix *b) { return a->xx == b->xx && a->yx == b->yx && a->xy == b->xy && a->yy == b->yy; }
 
-/* s->line for a pen; false: not plain, or no memory. An odd pattern of dashes is written twice. */
+/* Makes s->line for a pen; false: not plain, or no memory. An odd pattern of dashes is written twice. */
 static bool make_line(plain_list *s, const plain_pen *wanted, const matrix *m)
 {
     static const line_cap caps[] = {[PLAIN_BUTT] = LINE_CAP_BUTT, [PLAIN_ROUND] = LINE_CAP_ROUND, [PLAIN_SQUARE] = LINE_CAP_SQUARE};

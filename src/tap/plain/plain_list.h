@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Paths that are filled and stroked become items of a display list's text, kept in memory until it is whole. Every number
- * has the value that it would have had on the way through librsvg and cairo's script surface.
+ * Writes paths that are filled and stroked as items of a display list's text, kept in memory until the text is whole.
+ * Every number has the value that it would have had on the way through librsvg and cairo's script surface.
  */
 #ifndef PLB_TAP_PLAIN_PLAIN_LIST_H
 #define PLB_TAP_PLAIN_PLAIN_LIST_H
@@ -25,11 +25,11 @@ typedef struct {
     bool has_pen;
 } plain_list;
 
-/* Starts with the page. */
+/* Starts the list with the page. */
 void plb_plain_list_begin(plain_list *s, const tap_page *p);
-/* Fills and strokes s->path as the style says. False: beyond limits, or something that cairo has ways of its own with. */
+/* Fills and strokes s->path as the style says. False: the item is beyond limits, or cairo draws it in ways of its own. */
 bool plb_plain_draw(plain_list *s, const plain_style *style);
-/* False: it grew too long. */
+/* Ends the list; false: the text grew too long. */
 bool plb_plain_list_end(plain_list *s);
 void plb_plain_list_free(plain_list *s);
 

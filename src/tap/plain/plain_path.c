@@ -94,7 +94,7 @@ static void drop_line(plain_path *p)
     p->n_points--;
 }
 
-/* Does a line to `to` go on in the direction of the last one? */
+/* Tells whether a line to `to` goes on in the direction of the last line. */
 static bool goes_on(const plain_path *p, plain_point to)
 {
     plain_point before = p->points[p->n_points - 2];
@@ -102,7 +102,7 @@ static bool goes_on(const plain_path *p, plain_point to)
     return ay * bx == by * ax && ax * bx + ay * by >= 0;
 }
 
-/* Is the last operation a line, and without length? */
+/* Tells whether the last operation is a line without length. */
 static bool ends_in_a_dot(const plain_path *p) { return ends_in(p, PLAIN_LINE) && same(p->points[p->n_points - 2], p->current); }
 
 static void line_to(plain_path *p, plain_point to)
@@ -166,7 +166,7 @@ typedef struct {
 
 static double angle_of(double cosine) { return acos(fmin(fmax(cosine, -1), 1)); }
 
-/* Where it starts and how far it turns; u and v point from the centre to the ends, on the unit circle. False: nothing. */
+/* Finds where an arc starts and how far it turns; u and v point from the centre to the ends, on the unit circle. False: there is no arc. */
 static bool find_angles(const plain_arc *a, const double u[2], const double v[2], centred_arc *c)
 {
     double u_length = sqrt(fabs(u[0] * u[0] + u[1] * u[1])), v_length = sqrt(fabs(v[0] * v[0] + v[1] * v[1]));
@@ -185,7 +185,8 @@ static bool find_angles(const plain_arc *a, const double u[2], const double v[2]
     return true;
 }
 
-/* Appendix F.6.5 and F.6.6 of SVG 1.1: too small radii are enlarged. False: nothing to draw. */
+/* Finds centre and angles of an arc (SVG 1.1, appendix F.6.5 and F.6.6): radii that are too small are enlarged. False:
+ * there is nothing to draw. */
 static bool centre_arc(const plain_arc *a, centred_arc *c)
 {
     double x1 = a->from[0], y1 = a->from[1], x2 = a->to[0], y2 = a->to[1], phi = a->rotation * PLB_PI / 180;
@@ -289,7 +290,7 @@ void plb_plain_rectangle(plain_path *p, const double at[4], double rx, double ry
     plb_plain_close(p);
 }
 
-/* By four curves, with the constant of librsvg: 4/3 (sqrt(2) - 1). */
+/* Draws the ellipse as four curves, with the constant of librsvg: 4/3 (sqrt(2) - 1). */
 void plb_plain_ellipse(plain_path *p, const double at[4])
 {
     static const double k = 0.5522847498;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * A path on the script surface, as cairo keeps it: 24.8 fixed-point numbers; lines that go on in one direction are one
- * line, lines without length go (cairo-path-fixed.c does so while a path is made). Points come in user units and pass
- * through the path's matrix.
+ * Builds a path on the script surface in cairo's way: 24.8 fixed-point numbers; lines that go on in one direction are
+ * one line, lines without length go (cairo-path-fixed.c does so while a path is made). Points come in user units and
+ * pass through the path's matrix.
  */
 #ifndef PLB_TAP_PLAIN_PLAIN_PATH_H
 #define PLB_TAP_PLAIN_PLAIN_PATH_H
@@ -56,10 +56,11 @@ void plb_plain_rectangle(plain_path *p, const double at[4], double rx, double ry
 /* at: centre and radii, these above 0. */
 void plb_plain_ellipse(plain_path *p, const double at[4]);
 
-/* What a path element's d says (plain_data.c). `square`: caps are square, which librsvg also draws where subpaths have
- * no length, in its own way: such paths are refused. False: it is not well-formed, or beyond limits. */
+/* Adds the path that a path element's d describes (plain_data.c). `square`: caps are square, which librsvg also draws
+ * where subpaths have no length, in its own way: such paths are refused. False: d is not well-formed, or beyond limits.
+ * */
 bool plb_plain_data(plain_path *p, plain_text d, bool square);
-/* What a polyline's points say; `closed` makes a polygon of it. */
+/* Adds the lines that a polyline's points describe; `closed` makes a polygon of them. */
 bool plb_plain_points(plain_path *p, plain_text points, bool closed, bool square);
 
 #endif

@@ -70,7 +70,7 @@ static bool set_miter_limit(plain_style *s, plain_text value)
     return plb_plain_css_number(&value, &s->pen.miter_limit) && value.at == value.end && s->pen.miter_limit >= 1;
 }
 
-/* Which of the words it is; -1: none. */
+/* Gives the index of the value among the words; -1: it is none of them. */
 static int find_word(plain_text value, const char *const words[], int n)
 {
     while (n-- && !plb_plain_is(value, words[n])) {}
@@ -99,7 +99,7 @@ static bool set_rule(plain_style *s, plain_text value)
     return s->even_odd || plb_plain_is(value, "nonzero");
 }
 
-/* Dashes without length have meanings of their own to librsvg and cairo: not plain, unless there are no others. */
+/* Reads dashes; refuses dashes without length, which have meanings of their own to librsvg and cairo, unless there are no others. */
 static bool set_dashes(plain_style *s, plain_text value)
 {
     double *dashes = s->pen.dashes;
@@ -148,7 +148,7 @@ static bool is_none(plain_style *s, plain_text value)
     return plb_plain_is(value, "none");
 }
 
-/* The inside before the line. */
+/* Tells whether the inside is painted before the line. */
 static bool is_usual_order(plain_style *s, plain_text value)
 {
     static const char *const words[] = {"normal", "fill", "fill stroke", "fill stroke markers", "markers fill stroke", NULL};
@@ -196,8 +196,8 @@ static const property properties[] = {
     {"isolation", is_normal},
 };
 
-/* More than this reader knows, in one version of SVG or CSS or another, and whether or not librsvg knows it. All others
- * either have no effect without text, gradients and filters, or none at all. */
+/* These properties are more than this reader knows, in one version of SVG or CSS or another, and whether or not librsvg
+ * knows them. All others have no effect at all, or none without text, gradients and filters. */
 static const char *const beyond[] = {
     "transform", "transform-origin", "transform-box", "translate", "rotate", "scale", "offset", "offset-path", "offset-distance",
     "offset-position", "offset-anchor", "offset-rotate", "perspective", "zoom", "clip", "contain", "content", "all", "mask-image",
@@ -217,8 +217,8 @@ bool plb_plain_property(plain_style *s, plain_text name, plain_text value)
 
 /* ---- style attributes --------------------------------------------------------------------------------------- */
 
-/* The end of a declaration: a semicolon outside of quotes. NULL: what CSS reads in ways of its own, so lines that end within
- * quotes, and brackets that are not closed before the semicolon. */
+/* Gives the end of a declaration: a semicolon outside of quotes. NULL: CSS reads the text in ways of its own, as lines
+ * that end within quotes, and brackets that are not closed before the semicolon. */
 static const char *end_of_declaration(plain_text t)
 {
     char quote = '\0';
@@ -238,7 +238,7 @@ static const char *end_of_declaration(plain_text t)
     return quote || open ? NULL : t.at;
 }
 
-/* Properties are written in lower case: CSS reads other letters as these, librsvg does not. */
+/* Tells whether a property is written in lower case: CSS reads capital letters like small ones, librsvg does not. */
 static bool is_lower_word(plain_text t)
 {
     const char *at = t.at;
@@ -270,7 +270,7 @@ bool plb_plain_declarations(plain_style *s, plain_text style)
 
 /* ---- transforms --------------------------------------------------------------------------------------------- */
 
-/* Into one turn from 0 on. */
+/* Brings an angle into one turn from 0 on. */
 double plb_plain_radians(double degrees)
 {
     double turn = fmod(degrees * (PLB_PI / 180), PLB_PI * 2);
@@ -347,7 +347,7 @@ static const function *find_function(plain_text *t)
     return NULL;
 }
 
-/* ( NUMBERS ), commas between them. */
+/* Reads ( NUMBERS ), with commas between them. */
 static bool read_arguments(plain_text *t, const function *f, double v[6], int *n)
 {
     plb_plain_blank(t);
@@ -362,7 +362,7 @@ static bool read_arguments(plain_text *t, const function *f, double v[6], int *n
     return *n >= f->least && t->at < t->end && t->at[-1] != ',' && *t->at++ == ')';
 }
 
-/* Far from singular. */
+/* Tells whether the matrix is far from singular. */
 static bool is_regular(matrix m)
 {
     double size = fabs(m.xx) + fabs(m.yx) + fabs(m.xy) + fabs(m.yy), det = fabs(m.xx * m.yy - m.yx * m.xy);

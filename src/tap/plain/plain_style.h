@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The properties of plain SVG: colours, pens, dashes; and transforms.
+ * Reads the properties of plain SVG: colours, pens, dashes; and transforms.
  */
 #ifndef PLB_TAP_PLAIN_PLAIN_STYLE_H
 #define PLB_TAP_PLAIN_PLAIN_STYLE_H
@@ -39,23 +39,23 @@ typedef struct {
     bool is_gone;   /* by display: with all that is in it; not inherited */
 } plain_style;
 
-/* Black and without a line. */
+/* Gives the style of the root: black and without a line. */
 plain_style plb_plain_style(void);
 
-/* One property or presentation attribute; those without effect on what is plain are passed over. False: not plain, that is
- * not well-formed, or of more effect than a plain reader knows. */
+/* Sets one property or presentation attribute; those without effect on plain drawings are passed over. False: not
+ * plain, because the value is not well-formed, or has more effect than a plain reader knows. */
 bool plb_plain_property(plain_style *s, plain_text name, plain_text value);
-/* What a style attribute says. */
+/* Sets what a style attribute says. */
 bool plb_plain_declarations(plain_style *s, plain_text style);
 
-/* What is drawn with: the colour and how much it covers. */
+/* Gives the paint: the colour and how much it covers. */
 plain_paint plb_plain_fill(const plain_style *s);
 plain_paint plb_plain_stroke(const plain_style *s);
 
 /* A transform attribute: from the element's units to its parent's; can be inverted. */
 bool plb_plain_transform(plain_text t, matrix *m);
 
-/* Degrees as librsvg turns them into radians. */
+/* Turns degrees into radians in librsvg's way. */
 double plb_plain_radians(double degrees);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Plain SVG, element by element, as libxml2's SAX parser finds them: no tree is made. What is inherited lies on a stack
- * as deep as the elements.
+ * Reads plain SVG element by element, in the order in which libxml2's SAX parser finds them: no tree is made. Inherited
+ * properties lie on a stack as deep as the elements.
  */
 #include "tap/plain/plain_svg.h"
 
@@ -15,7 +15,7 @@
 #define MAX_ELEMENTS 1000000ul /* librsvg refuses more */
 #define SVG_NAMESPACE "http://www.w3.org/2000/svg"
 
-/* The attributes that say where something lies. */
+/* These attributes say where something lies. */
 enum { AT_D, AT_POINTS, AT_X, AT_Y, AT_WIDTH, AT_HEIGHT, AT_X1, AT_Y1, AT_X2, AT_Y2, AT_CX, AT_CY, AT_R, AT_RX, AT_RY, AT_VIEWBOX, AT_FIT, PLACES };
 static const char *const place_names[PLACES] = {"d",  "points", "x",  "y",  "width", "height", "x1", "y1",
                                                 "x2", "y2",     "cx", "cy", "r",     "rx",     "ry", "viewBox", "preserveAspectRatio"};
@@ -78,7 +78,7 @@ static bool read_extent(plain_text t, tap_extent *e)
     return plb_plain_length(t, &e->value) && e->value > PLAIN_NEAR && e->value <= TAP_PX_MAX;
 }
 
-/* As the style sheet of tap_svg.c has it: printed with so many digits, and read by librsvg in single precision. */
+/* Rounds a number like the style sheet of tap_svg.c: printed with so many digits, and read by librsvg in single precision. */
 static double as_printed(const char *format, double v)
 {
     char text[40];
@@ -89,7 +89,7 @@ static double as_printed(const char *format, double v)
     return read;
 }
 
-/* The turn, as the style sheet of tap_svg.c has it. */
+/* Gives the turn of the style sheet in tap_svg.c. */
 static matrix turn_matrix(const tap_placing *l)
 {
     double angle = plb_plain_radians(as_printed("%.9g", TAP_TURN_DEGREES)), k = as_printed("%.12g", 1 / l->fit);
@@ -98,13 +98,13 @@ static matrix turn_matrix(const tap_placing *l)
     return plb_matrix_multiply(scale, plb_matrix_multiply(rotation, shift));
 }
 
-/* How the viewBox lies in the viewport: shares of the room left and above; stretched; cut off. */
+/* A fit says how the viewBox lies in the viewport: shares of the space left and above; stretched; cut off. */
 typedef struct {
     double x, y;
     bool is_stretched, is_sliced;
 } fit;
 
-/* Min, Mid or Max: how much of the room lies before. */
+/* Reads Min, Mid or Max: how much of the free space lies before. */
 static bool read_share(const char *word, double *share)
 {
     static const char *const words[] = {"Min", "Mid", "Max"};
@@ -115,7 +115,7 @@ static bool read_share(const char *word, double *share)
     return i < 3;
 }
 
-/* none or xM..YM.., then meet, slice or nothing. */
+/* Reads none or xM..YM.., then meet, slice or nothing. */
 static bool read_fit(plain_text t, fit *f)
 {
     *f = (fit){.x = 0.5, .y = 0.5};
@@ -134,13 +134,13 @@ static bool read_fit(plain_text t, fit *f)
     return f->is_stretched || (is_aligned && read_share(align.at + 1, &f->x) && read_share(align.at + 5, &f->y));
 }
 
-/* Where it starts: as librsvg calculates it, to the last digit. */
+/* Gives the start of the viewBox, calculated like librsvg to the last digit. */
 static double start_of(double share, double whole, double part)
 {
     return share == 0 ? 0 : share == 1 ? whole - part : (whole - part) / 2;
 }
 
-/* The viewBox fitted into the viewport (SVG 1.1, section 7.8), then the turn. */
+/* Maps the viewBox into the viewport (SVG 1.1, section 7.8), then turns it. */
 static matrix root_matrix(const tap_page *p, const double view[4], const fit *f)
 {
     tap_placing l = plb_tap_place(p);
@@ -185,7 +185,7 @@ static bool open_page(reader *r, const attributes *a, level *l)
 
 /* ---- shapes ------------------------------------------------------------------------------------------------- */
 
-/* A length that may be missing, and is 0 then. */
+/* Reads a length that may be missing, and is 0 then. */
 static bool read_lengths(const attributes *a, const int *places, size_t n, double *v)
 {
     for (size_t i = 0; i < n; i++) {
@@ -271,7 +271,7 @@ static const element *find_element(const reader *r, const char *name)
 
 /* ---- attributes --------------------------------------------------------------------------------------------- */
 
-/* Only letters, digits and hyphens, as librsvg can read it. */
+/* Tells whether the name of a language has only letters, digits and hyphens, which librsvg can read. */
 static bool is_language(plain_text t)
 {
     const char *at = t.at;
@@ -280,7 +280,7 @@ static bool is_language(plain_text t)
     return at == t.end && at > t.at + 1 && at[-1] != '-';
 }
 
-/* Of another namespace: ignored as librsvg ignores it, but for those that mean something to it. */
+/* Tells whether an attribute of another namespace is ignored, as librsvg ignores all but xml:space and xml:lang. */
 static bool is_foreign(const char *uri, plain_text name, plain_text value)
 {
     if (!strcmp(uri, (const char *)XML_XML_NAMESPACE))
@@ -306,7 +306,7 @@ static bool read_attribute(reader *r, const element *e, attributes *a, plain_sty
     return true;
 }
 
-/* All of an element's; what a style attribute says goes over the others. `raw`: five pointers for each, as SAX has it. */
+/* Reads all attributes of an element; the style attribute has precedence over the others. `raw` has SAX's five pointers for each. */
 static bool read_attributes(reader *r, const element *e, attributes *a, plain_style *style, const xmlChar **raw, int n)
 {
     for (int i = 0; i < n; i++, raw += 5) {
@@ -367,15 +367,15 @@ static bool open_element(reader *r, const element *e, const xmlChar **raw, int n
     return !e->draw || draw_shape(r, e, &a, l);
 }
 
-/* What is in the document but not drawn may still say how the rest is drawn, or how the tap places it. */
+/* Tells whether an element that is not drawn may still say how the rest is drawn, or how the tap places it. */
 static bool has_effect(const char *name)
 {
     static const char *const names[] = {"style", "include", "linearGradient", "radialGradient", "clipPath", NULL};
     return plb_plain_is_any(words(name), names);
 }
 
-/* Draws nothing, with all that is in it: descriptions, definitions (nothing refers to them), other namespaces; librsvg
- * does draw elements of none. */
+/* Tells whether an element draws nothing, with all that is in it: descriptions, definitions (nothing refers to them),
+ * other namespaces; librsvg does draw elements of none. */
 static bool draws_nothing(const char *name, const char *uri)
 {
     static const char *const names[] = {"title", "desc", "metadata", "defs", NULL};
@@ -440,7 +440,7 @@ static void on_attribute_declaration(void *context, const xmlChar *of, const xml
     refuse(reader_of(context), "declaration of", words((const char *)of));
 }
 
-/* Warnings, too: librsvg stops at some. */
+/* Ends the reading at errors and at warnings, too: librsvg stops at some. */
 static void on_error(void *context, xmlError *fault)
 {
     (void)fault;
@@ -458,7 +458,7 @@ static const xmlSAXHandler handlers = {
     .serror = on_error,
 };
 
-/* Parses; what is wrong with it stands in r->why. */
+/* Parses the document; r->why says what is wrong with it. */
 static void parse(reader *r, const char *text, size_t size)
 {
     *r->parser->sax = handlers;

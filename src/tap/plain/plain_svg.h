@@ -5,7 +5,7 @@
  * of all else and of what the plain means:
  *
  *   - The subset is strict. An element or property that may have an effect and is not on its lists, or a value that is not
- *     written as the specifications have it, makes the document unplain as a whole, before a byte is written; it then goes
+ *     written in the way of the specifications, makes the document unplain as a whole, before a byte is written; it then goes
  *     through librsvg as if this file were not there. So does all that is malformed: librsvg says what is wrong with it.
  *   - What is on the lists is drawn as librsvg and cairo draw it: the same page, the same turn, the same points to 1/256
  *     of a surface unit, the same order. A test compares both roads (tests/plain.sh).

@@ -51,7 +51,7 @@ void plb_plain_comma(plain_text *t)
 
 /* ---- numbers ------------------------------------------------------------------------------------------------ */
 
-/* Where the parts of a number lie: sign, whole, point, fraction, exponent. */
+/* The parts of a number lie here: sign, whole, point, fraction, exponent. */
 typedef struct {
     const char *start, *whole, *fraction, *exponent, *end; /* fraction: NULL without a point; exponent: after e and sign */
     bool minus, exponent_minus;
@@ -64,7 +64,7 @@ static const char *skip_digits(const char *at, const char *end)
     return at;
 }
 
-/* The exponent of `p`, whose end is known so far; left out where there are no digits. */
+/* Finds the exponent of `p`, whose end is known so far; an `e` without digits behind is none. */
 static void split_exponent(number_parts *p, const char *end)
 {
     const char *at = p->end;
@@ -100,7 +100,7 @@ static bool split_number(plain_text t, number_parts *p)
 static const double tens[] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                               1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
-/* By the C library, which rounds as exactly as one can; in the C locale, which nobody leaves here. */
+/* Converts by the C library, which rounds exactly; the tap stays in the C locale. */
 static bool slow_number(const number_parts *p, double *v)
 {
     char copy[400];
@@ -113,7 +113,7 @@ static bool slow_number(const number_parts *p, double *v)
     return isfinite(*v);
 }
 
-/* Digits and powers of ten that a double holds exactly give the nearest double in one step (Clinger 1990). */
+/* Converts digits and powers of ten that a double holds exactly: one step gives the nearest double (Clinger 1990). */
 bool plb_plain_number(plain_text *t, double *v)
 {
     number_parts p;
@@ -135,7 +135,7 @@ bool plb_plain_number(plain_text *t, double *v)
     return true;
 }
 
-/* Digit by digit and to single precision, as the cssparser library of librsvg does it: its errors are ours. */
+/* Converts digit by digit and to single precision, like the cssparser library of librsvg: its errors are ours. */
 bool plb_plain_css_number(plain_text *t, double *v)
 {
     number_parts p;

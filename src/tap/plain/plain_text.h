@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The words and numbers of an SVG document's attributes, with the values that librsvg gives them: numbers of path data
- * are double precision, all others are CSS's and pass through single precision.
+ * Reads the words and numbers of an SVG document's attributes, with the values that librsvg gives them: numbers of path
+ * data are double precision, all others are CSS's and pass through single precision.
  */
 #ifndef PLB_TAP_PLAIN_PLAIN_TEXT_H
 #define PLB_TAP_PLAIN_PLAIN_TEXT_H
@@ -9,7 +9,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-/* at[0..end): borrowed; reading moves `at`. */
+/* A plain_text is at[0..end), borrowed; reading moves `at`. */
 typedef struct {
     const char *at, *end;
 } plain_text;
@@ -18,23 +18,23 @@ bool plb_plain_is(plain_text t, const char *word);
 bool plb_plain_is_any(plain_text t, const char *const words[]); /* ... NULL */
 plain_text plb_plain_trim(plain_text t);
 
-/* Blanks; false: none there. */
+/* Skips blanks; false: there are none. */
 bool plb_plain_blank(plain_text *t);
-/* Blanks and at most one comma. */
+/* Skips blanks and at most one comma. */
 void plb_plain_comma(plain_text *t);
 
-/* A number of path data at once (no blanks before it); false: not there, or not finite. */
+/* Reads a number of path data at once (no blanks before it); false: there is none, or it is not finite. */
 bool plb_plain_number(plain_text *t, double *v);
-/* A CSS number (it may start with a sign or a point, not end in a point). */
+/* Reads a CSS number, which may start with a sign or a point but not end in a point. */
 bool plb_plain_css_number(plain_text *t, double *v);
 
 typedef enum { PLAIN_PX, PLAIN_MM, PLAIN_CM, PLAIN_IN, PLAIN_PT, PLAIN_PC, PLAIN_SHARE } plain_unit;
 
-/* A number and its unit, which ends with the text or before a blank or comma. */
+/* Reads a number and its unit, which ends with the text or before a blank or comma. */
 bool plb_plain_dimension(plain_text *t, double *v, plain_unit *unit);
-/* The same, the whole text and nothing else but blanks around it, in px; no percentage. */
+/* Reads the whole text as a length in px, with blanks around it and nothing else; no percentage. */
 bool plb_plain_length(plain_text t, double *px);
-/* The same for a part of the text. */
+/* Reads a part of the text as a length in px. */
 bool plb_plain_next_length(plain_text *t, double *px);
 
 #endif

@@ -24,7 +24,7 @@ static void __attribute__((noreturn)) quit(int status, const char *what, const c
     _exit(status);
 }
 
-/* The whole document. */
+/* Reads the whole document. */
 static char *read_document(size_t *size)
 {
     char *all = NULL;

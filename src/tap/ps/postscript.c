@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The PostScript reader: a file's comments say what its page is, its program draws the display list, which is then
- * turned from device space (up, 7200 dpi, the origin where the program has it) to millimetres on the page.
+ * Reads PostScript: a file's comments say what its page is, its program draws the display list, which is then turned
+ * from device space (up, 7200 dpi, the program's origin) to millimetres on the page.
  */
 #include "tap/ps/ps.h"
 #include "tap/ps/ps_dsc.h"
@@ -53,7 +53,7 @@ static bool start(ps *p, const char *program, size_t length)
     return plb_ps_push_source(p, p->main_file);
 }
 
-/* What the program finds when it asks for the page, before it draws. */
+/* Gives the program the page that it may ask for, before it draws. */
 static void expect_page(ps *p, const ps_dsc *dsc)
 {
     p->area_is_known = dsc->box_sane || dsc->has_media;
@@ -76,7 +76,7 @@ static void warn(ps_answer *answer, const char *text)
         }
 }
 
-/* Bounds of what was drawn, in points, with a margin; false: nothing, or nothing that fits a page. */
+/* Gives the bounds of what was drawn, in points, with a margin; false: nothing was drawn, or nothing that fits a page. */
 static bool drawn_bounds(ps *p, box *out)
 {
     const double u = PS_UNITS_PER_POINT;
@@ -93,8 +93,8 @@ static bool holds_middle_of(box page, box drawn)
     return x >= page.x0 && x <= page.x1 && y >= page.y0 && y <= page.y1;
 }
 
-/* The page of the drawing, in points. An EPS file's is its BoundingBox; others say it in the program, in a comment,
- * or not at all. A box that cannot be true gives way to what was drawn. */
+/* Finds the page of the drawing, in points. An EPS file's page is its BoundingBox; others say it in the program, in a
+ * comment, or not at all. A box that cannot be true gives way to the bounds of what was drawn. */
 static box choose_page(ps *p, const ps_dsc *dsc, ps_answer *answer)
 {
     box drawn = BOX_EMPTY, page = {0, 0, p->page_width, p->page_height};
@@ -133,7 +133,7 @@ static void remark(const ps *p, const ps_dsc *dsc, ps_answer *answer)
 
 /* ---- Ghostscript ------------------------------------------------------------------------------------------ */
 
-/* Another interpreter may not meet these errors; limits, and what was refused on purpose, are final. */
+/* Tells whether another interpreter may not meet the error; limits, and what was refused on purpose, are final. */
 static bool may_be_our_fault(const ps *p)
 {
     return (p->err.kind == ERROR_UNSUPPORTED || p->err.kind == ERROR_SYNTAX) && p->last_fault != PS_INVALIDFILEACCESS && !p->refused;
@@ -160,7 +160,7 @@ static void hand_over(ps *p, ps_answer *answer)
 
 /* ---- reading ---------------------------------------------------------------------------------------------- */
 
-/* Runs the program up to the page that is wanted. What goes wrong behind that page is nobody's concern. */
+/* Runs the program up to the page that is wanted. Errors behind that page do not count. */
 static bool run(ps *p, const ps_dsc *dsc, const char *program, size_t length)
 {
     expect_page(p, dsc);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A PostScript program becomes a display list, as far as it is paths: letters of fonts other than Type 3, shadings,
- * filters and resources are Ghostscript's.
+ * Turns a PostScript program into a display list, as far as the program is paths: letters of fonts other than Type 3,
+ * shadings, filters and resources are Ghostscript's.
  */
 #ifndef PLB_TAP_PS_POSTSCRIPT_H
 #define PLB_TAP_PS_POSTSCRIPT_H
@@ -42,7 +42,7 @@ typedef struct {
  * have stays empty: answer->pages tells. */
 ps_outcome plb_ps_read(const ps_request *ask, display_list *list, ps_answer *answer, error *err);
 
-/* The PostScript part of a file, without the header and previews of a DOS EPS, or a printer's job header. */
+/* Gives the PostScript part of a file, without the header and previews of a DOS EPS, or a printer's job header. */
 void plb_ps_find_program(const char *data, size_t size, const char **program, size_t *length);
 
 #endif

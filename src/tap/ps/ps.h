@@ -42,7 +42,7 @@
 #endif
 #define PS_MAX_PAGE_POINTS 20000.0       /* 7 m */
 
-/* Device space is 7200 dpi, y up. Fine, because programs round line widths and positions to whole device units. */
+/* Device space is 7200 dpi, y up: fine, because programs round line widths and positions to whole device units. */
 #define PS_UNITS_PER_POINT 100.0
 
 /* ---- objects ---------------------------------------------------------------------------------------------- */
@@ -96,12 +96,12 @@ static inline ps_object ps_of_dict(ps_dict *d) { return (ps_object){.type = PS_D
 static inline ps_object ps_of_file(ps_file *f) { return (ps_object){.type = PS_FILE, .as.file = f}; }
 static inline bool ps_is_number(ps_object o) { return o.type == PS_INTEGER || o.type == PS_REAL; }
 static inline bool ps_is_proc(ps_object o) { return o.type == PS_ARRAY && o.executable; }
-/* Of a number; 0 of anything else. */
+/* Gives the value of a number; 0 of anything else. */
 static inline double ps_value(ps_object o) { return o.type == PS_INTEGER ? o.as.integer : o.type == PS_REAL ? o.as.real : 0; }
-/* An integer where it fits into one, else a real. */
+/* Makes an integer where the value fits into one, else a real. */
 static inline ps_object ps_whole(double v) { return v >= INT32_MIN && v <= INT32_MAX ? ps_integer((int32_t)v) : ps_real(v); }
 
-/* A dictionary: entries in the order they came in (a key of type PS_NULL: removed); above a handful an index. */
+/* A dictionary holds its entries in the order they came in (a key of type PS_NULL: removed); above a handful an index finds them. */
 typedef struct {
     ps_object key, value;
 } ps_entry;
@@ -116,7 +116,7 @@ struct ps_dict {
     uint16_t born;   /* the save during which it was made */
 };
 
-/* A stream of bytes in memory: the input file, or a string that is executed or scanned. */
+/* A stream holds bytes in memory: the input file, or a string that is executed or scanned. */
 struct ps_file {
     const char *at, *end;
     int line;       /* of the byte at `at`; 0: lines are not counted */
@@ -137,10 +137,10 @@ extern const char *const plb_ps_fault_names[PS_FAULT_COUNT];
 
 /* All return false. ps_fail puts "LINE: " before the text. */
 bool plb_ps_raise(ps *p, ps_fault fault);
-/* The same as raise, with a text for the user of its own. */
+/* Raises a fault with a text of its own for the user. */
 bool plb_ps_explain(ps *p, ps_fault fault, const char *format, ...) __attribute__((format(printf, 3, 4)));
 bool plb_ps_undefined(ps *p, ps_object key);
-/* For operators that would reach outside the input. */
+/* Refuses an operator that would reach outside the input. */
 bool plb_ps_refuse(ps *p);
 bool plb_ps_fail(ps *p, error_kind kind, const char *format, ...) __attribute__((format(printf, 3, 4)));
 /* Counts bulk work against the steps; false when they are used up. */
@@ -200,7 +200,7 @@ struct ps_frame {
 
 typedef struct ps_block ps_block;
 
-/* A value to put back at `restore`. */
+/* A journal entry is a value to put back at `restore`. */
 typedef struct {
     ps_dict *dict;
     ps_entry old;
@@ -266,7 +266,7 @@ struct ps {
 
 static inline ps_state *ps_gs(ps *p) { return &p->states[p->state_count - 1]; }
 
-/* Operands: the lowest of the topmost `n`; the signature has made sure they are there. */
+/* Gives the lowest of the topmost `n` operands; the signature has made sure they are there. */
 static inline ps_object *ps_args(ps *p, unsigned n) { return p->operands + (p->operand_count - n); }
 static inline void ps_drop(ps *p, unsigned n) { p->operand_count -= n; }
 
@@ -274,11 +274,11 @@ static inline void ps_drop(ps *p, unsigned n) { p->operand_count -= n; }
 bool plb_ps_push(ps *p, ps_object o);
 /* Replaces the topmost `drop` operands by `result`. */
 bool plb_ps_give(ps *p, unsigned drop, ps_object result);
-/* Finds the topmost mark: the number of operands above it; false: unmatchedmark raised. */
+/* Finds the topmost mark and gives the number of operands above it; false: unmatchedmark raised. */
 bool plb_ps_count_to_mark(ps *p, uint32_t *count);
 /* Checks the topmost operands against a signature (see above); raises stackunderflow or typecheck. */
 bool plb_ps_check(ps *p, const char *signature);
-/* A new frame, zeroed but for `step`; NULL: execstackoverflow raised. */
+/* Pushes a frame, zeroed but for `step`; NULL: execstackoverflow raised. */
 ps_frame *plb_ps_push_frame(ps *p, bool (*step)(ps *, ps_frame *));
 void plb_ps_pop_frame(ps *p);
 /* Calls `then` once when what is pushed after it has ended. */
@@ -290,15 +290,15 @@ void plb_ps_free_memory(ps *p);
 bool plb_ps_new_array(ps *p, uint32_t n, ps_object *out);              /* of nulls */
 bool plb_ps_new_string(ps *p, const char *text, size_t n, ps_object *out); /* text NULL: zeros */
 const ps_name *plb_ps_intern(ps *p, const char *text, size_t n);
-/* A literal name; its `as.name` is NULL when out of memory. */
+/* Gives a literal name; its `as.name` is NULL when out of memory. */
 ps_object plb_ps_name(ps *p, const char *text);
-/* The text of a name or string, for reading. */
+/* Gives the text of a name or string, for reading. */
 const char *plb_ps_text(ps_object o, size_t *n);
 bool plb_ps_text_is(ps_object o, const char *text);
 
 /* ps_dict_table.c */
 ps_dict *plb_ps_new_dict(ps *p, uint32_t size);
-/* NULL: not there. The pointer is good until the dictionary changes. */
+/* Finds an entry; NULL: there is none. The pointer is good until the dictionary changes. */
 ps_object *plb_ps_get(ps *p, const ps_dict *d, ps_object key);
 ps_object *plb_ps_get_text(ps *p, const ps_dict *d, const char *key);
 bool plb_ps_put(ps *p, ps_dict *d, ps_object key, ps_object value);
@@ -306,7 +306,7 @@ bool plb_ps_put_text(ps *p, ps_dict *d, const char *key, ps_object value);
 void plb_ps_remove(ps *p, ps_dict *d, ps_object key);
 /* Undoes the changes made since save number `save` began. */
 bool plb_ps_roll_back(ps *p, uint32_t save);
-/* Along the dictionary stack; NULL: in none. `where` (may be NULL) gets the dictionary. */
+/* Searches the dictionary stack; NULL: no dictionary has the key. `where` (may be NULL) gets the dictionary. */
 ps_object *plb_ps_lookup(ps *p, ps_object key, ps_dict **where);
 bool plb_ps_equal(ps_object a, ps_object b);
 
@@ -350,19 +350,19 @@ double plb_ps_cos(double degrees);
 /* ps_path.c: points are in user space. */
 bool plb_ps_move(ps *p, point to);
 bool plb_ps_line(ps *p, point to);
-/* A closed rectangle as a subpath of its own. */
+/* Adds a closed rectangle as a subpath of its own. */
 bool plb_ps_rectangle(ps *p, point corner, double width, double height);
 bool plb_ps_new_path(ps *p);
 void plb_ps_release_path(ps *p, ps_path *shared);
 /* Makes `with` (device space, moved in, emptied) the current path. */
 bool plb_ps_replace_path(ps *p, path *with);
-/* The current point in user space; false: nocurrentpoint raised. */
+/* Gives the current point in user space; false: nocurrentpoint raised. */
 bool plb_ps_current_point(ps *p, point *at);
 
 /* ps_paint.c, ps_clip.c: these use up the current path. */
 bool plb_ps_paint_path(ps *p, item_kind kind, bool even_odd);
 bool plb_ps_clip_to_path(ps *p, bool even_odd);
-/* Device space; the page where there is no clip. */
+/* Gives the bounds of the clip in device space; those of the page where there is no clip. */
 box plb_ps_clip_bounds(ps *p);
 /* ps_pattern.c: begins to fill the current path with the tiles of the pattern; `done` false: it cannot be so filled. */
 bool plb_ps_fill_with_tiles(ps *p, bool even_odd, bool *done);
@@ -371,7 +371,7 @@ bool plb_ps_fill_with_tiles(ps *p, bool even_odd, bool *done);
 bool plb_ps_make_fonts(ps *p);
 bool plb_ps_define_font(ps *p, ps_object key, ps_object font);
 bool plb_ps_find_font(ps *p, ps_object key, ps_object *font);
-/* What a Type 3 glyph that is being drawn does: says its width, paints with an image. */
+/* These calls note what a Type 3 glyph that is being drawn does: says its width, paints with an image. */
 void plb_ps_note_glyph_width(ps *p, point width);
 void plb_ps_note_glyph_image(ps *p);
 
@@ -382,17 +382,17 @@ bool plb_ps_make_system(ps *p);
 bool plb_ps_page_has_something(const ps *p);
 /* Counts what the display list grows by; false: limit reached. */
 bool plb_ps_count_list(ps *p, const path *shape);
-/* Something leaves a mark. False: the page is complete already, the reading ends with this second one. */
+/* Counts a mark. False: the page is complete already, the reading ends with this second one. */
 bool plb_ps_may_mark(ps *p);
-/* Something that would leave a mark is left out. */
+/* Counts an item that would leave a mark and is left out. */
 void plb_ps_omit(ps *p, omission_kind kind);
-/* The operator under way is Ghostscript's. */
+/* Leaves the operator under way to Ghostscript. */
 void plb_ps_note_left(ps *p);
-/* The same, where it would leave a mark: true when the reading ends here, for it to take over. */
+/* Leaves the operator to Ghostscript where it would leave a mark: true when the reading ends here, for Ghostscript to take over. */
 bool plb_ps_leave_to_ghostscript(ps *p, omission_kind kind);
 bool plb_ps_set_page_size(ps *p, double width, double height);
 
-/* ps_colour.c: how many components a colour space has. */
+/* ps_colour.c: gives the number of components of a colour space. */
 unsigned plb_ps_components(ps *p, ps_object space);
 
 /* The operator tables, each ended by a NULL name. */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The structuring comments of PostScript files: a search through the lines that start with %%, aware of documents
+ * Reads the structuring comments of PostScript files: a search through the lines that start with %%, aware of documents
  * within the document. What they say is checked before it is believed.
  */
 #include "tap/ps/ps_dsc.h"
@@ -40,7 +40,7 @@ void plb_ps_find_program(const char *data, size_t size, const char **program, si
             }
 }
 
-/* One line after the other; false at the end. */
+/* Reads one line after the other; false at the end. */
 static bool next_line(const char **at, const char *end, const char **line, size_t *n)
 {
     if (*at >= end)
@@ -54,7 +54,7 @@ static bool next_line(const char **at, const char *end, const char **line, size_
     return true;
 }
 
-/* The text after `key` at the start of a line; NULL: another line. */
+/* Gives the text after `key` at the start of a line; NULL: another line. */
 static const char *value_of(const char *line, size_t n, const char *key)
 {
     size_t k = strlen(key);
@@ -82,7 +82,7 @@ static bool is_sane(box b, double largest)
            b.y0 >= -largest && b.x1 <= 2 * largest && b.y1 <= 2 * largest;
 }
 
-/* A box is read from a line; `(atend)` asks for the last one of the file, else the first one counts. */
+/* Reads a box from a line; `(atend)` asks for the last one of the file, else the first one counts. */
 typedef struct {
     bool found, at_end;
     double v[4];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the comments of a PostScript file say about its page: the Document Structuring Conventions (Adobe, version
+ * Tells what the comments of a PostScript file say about its page: the Document Structuring Conventions (Adobe, version
  * 3.0, 1992) and the binary header of DOS EPS files.
  */
 #ifndef PLB_TAP_PS_PS_DSC_H

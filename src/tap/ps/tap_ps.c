@@ -32,7 +32,7 @@ static void __attribute__((noreturn)) quit(int status, const char *text)
     _exit(status);
 }
 
-/* The whole file, a block of the process's life. */
+/* Reads the whole file into a block that lives as long as the process. */
 static char *read_file(size_t *size)
 {
     char *all = NULL;

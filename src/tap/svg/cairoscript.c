@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * CairoScript: token by token through the tables of operators. There is no recursion and no loop in the language, only
- * a stack.
+ * Reads CairoScript token by token through the tables of operators. There is no recursion and no loop in the language,
+ * only a stack.
  */
 #include "tap/svg/cairoscript.h"
 
@@ -13,7 +13,7 @@
 
 static bool push_opaque(script_state *s) { return plb_script_push(s, (script_value){.kind = VALUE_OPAQUE}); }
 
-/* The first value above the topmost mark. */
+/* Gives the index of the first value above the topmost mark. */
 static bool find_mark(script_state *s, size_t *first)
 {
     size_t i = s->stack.n;
@@ -23,7 +23,7 @@ static bool find_mark(script_state *s, size_t *first)
     return i > 0 || plb_fail(s->err, ERROR_SYNTAX, "a bracket closes that never opened");
 }
 
-/* ]: the numbers since the mark; an array of anything else is of no use to us. */
+/* Does ]: keeps the numbers since the mark; an array of anything else is of no use here. */
 static bool close_array(script_state *s)
 {
     size_t first;
@@ -49,7 +49,7 @@ static bool close_array(script_state *s)
     return plb_script_push(s, (script_value){.kind = VALUE_ARRAY, .array = {(uint32_t)start, (uint32_t)n}});
 }
 
-/* >>: nothing in a dictionary is of use to us. */
+/* Does >>: drops the dictionary, of which nothing is of use here. */
 static bool close_dictionary(script_state *s)
 {
     size_t first;
@@ -62,7 +62,7 @@ static bool close_dictionary(script_state *s)
 
 /* ---- names and constants ------------------------------------------------------------------------------------ */
 
-/* "s12" is 12; others have a code below zero. */
+/* Gives the code of a name: "s12" is 12; others have a code below zero. */
 static int name_code(const char *text, size_t length)
 {
     if (length == 6 && !memcmp(text, "target", 6))
@@ -80,7 +80,7 @@ static int name_code(const char *text, size_t length)
     return id;
 }
 
-/* The constants that mean something to us. The operators that add no ink: those that only erase or keep what is there. */
+/* These constants mean something to the reader. The operators that add no ink are those that only erase or keep what is there. */
 static const struct {
     const char *name;
     int code;
@@ -113,7 +113,7 @@ static int compare_name(const char *name, const token *t)
     return order ? order : name[t->length] != '\0';
 }
 
-/* Binary search in one of the sorted tables. */
+/* Finds a name in one of the sorted tables by binary search. */
 static script_operation find_in(const script_operator *table, size_t n, const token *t)
 {
     size_t low = 0, high = n;
@@ -151,7 +151,7 @@ static bool run_name(script_state *s, const token *t)
     return plb_fail(s->err, ERROR_SYNTAX, "unknown operator %.*s", shown, t->text);
 }
 
-/* { ... }: only glyph procedures of bitmap fonts are written like this; they are passed over. */
+/* Passes over { ... }: only glyph procedures of bitmap fonts are written so. */
 static bool pass_over(script_state *s, const token *t)
 {
     s->procedures += t->kind == TOKEN_PROC_OPEN;
@@ -182,7 +182,7 @@ static bool run_token(script_state *s, const token *t)
 
 #define SCRIPT_PART_BYTES ((size_t)1 << 16)
 
-/* The scanner wants more than there is. */
+/* Answers the scanner, which wants more than there is. */
 static bool note_end(void *closure, const char **data, size_t *size)
 {
     (void)data, (void)size;
@@ -190,8 +190,8 @@ static bool note_end(void *closure, const char **data, size_t *size)
     return false;
 }
 
-/* Runs the tokens of s->text. One that reaches its end may go on in the next part: unless this is the last, it is left,
- * to be scanned again. */
+/* Runs the tokens of s->text. A token that reaches the end may go on in the next part: unless this is the last, the
+ * token is left, to be scanned again. */
 static bool run_part(script_state *s, bool is_last, error *err)
 {
     scanner *in = &s->scan;
@@ -217,7 +217,7 @@ static bool run_part(script_state *s, bool is_last, error *err)
     }
 }
 
-/* Tells where in the text an error is, unless nobody is to blame for it. */
+/* Tells where in the text an error is, unless the text is not to blame. */
 static bool run(script_state *s, bool is_last, error *err)
 {
     error inner = {0};

@@ -16,13 +16,13 @@
 
 typedef struct script_state cairoscript;
 
-/* A reader that writes items, clips and gradients to `out`, which lives as long and has its page already: of so many
- * mm, and with `to_page`, from the units of the script's outermost surface, as its matrix. NULL: out of memory. */
+/* Makes a reader that writes items, clips and gradients to `out`, which lives as long and has its page already: of so
+ * many mm, and with `to_page`, from the units of the script's outermost surface, as its matrix. NULL: out of memory. */
 cairoscript *plb_cairoscript_new(list_writer *out, double width, double height, matrix to_page);
-/* Takes more of the text, in pieces of any size. False and `err`: it is no such script, or goes beyond the limits; then
- * nothing more is to be fed. */
+/* Takes more of the text, in pieces of any size. False and `err`: the text is no such script, or goes beyond the
+ * limits; then nothing more is to be fed. */
 bool plb_cairoscript_feed(cairoscript *s, const char *data, size_t n, error *err);
-/* The text is whole: reads what is left of it, and adds what was left out to `lost`. */
+/* Reads the rest of the text, which is whole, and adds the omissions to `lost`. */
 bool plb_cairoscript_end(cairoscript *s, omissions *lost, error *err);
 void plb_cairoscript_free(cairoscript *s);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * CairoScript operators that draw: paths, painting, and the state of a context that painting uses.
+ * Holds the CairoScript operators that draw: paths, painting, and the state of a context that painting uses.
  */
 #include "tap/svg/cairoscript_state.h"
 
@@ -14,7 +14,7 @@ static bool op_nothing(script_state *s) { (void)s; return true; }
 
 /* ---- state of a context or pattern -------------------------------------------------------------------------- */
 
-/* [xx yx xy yy x0 y0] or identity, popped. */
+/* Pops a matrix: [xx yx xy yy x0 y0] or identity. */
 static bool take_matrix(script_state *s, matrix *m)
 {
     script_value *v = plb_script_peek(s, 0);
@@ -53,7 +53,7 @@ static bool op_scale(script_state *s)
     return c != NULL;
 }
 
-/* Pops the constant; -1 and an error when it is not there. */
+/* Pops the constant; -1 and an error when there is none. */
 static int take_constant(script_state *s)
 {
     script_value *v = plb_script_peek(s, 0);
@@ -211,7 +211,7 @@ static bool op_paint(script_state *s)
     return c && plb_script_paint(s, c, 1);
 }
 
-/* A mask of one colour is an opacity; through any other the source is painted whole. */
+/* Paints through a mask: a mask of one colour is an opacity; through any other the source is painted whole. */
 static bool op_mask(script_state *s)
 {
     script_pattern *p = plb_script_top(s, OBJECT_PATTERN);
@@ -243,7 +243,7 @@ static bool op_reset_clip(script_state *s)
 
 /* ---- the table ---------------------------------------------------------------------------------------------- */
 
-/* Sorted by name. */
+/* The operators are sorted by name. */
 const script_operator plb_script_draw_operators[] = {
     {"c", op_curve},
     {"clip+", op_clip},

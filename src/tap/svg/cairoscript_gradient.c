@@ -8,9 +8,9 @@
  */
 #include "tap/svg/cairoscript_state.h"
 
-/* Points of a curve that tell its bounds. */
+/* So many points of a curve give its bounds. */
 #define CURVE_POINTS 16
-/* How near a gradient's box must be to the unit square, in its own units. */
+/* A gradient's box counts as the unit square up to this distance, in the box's own units. */
 #define BOX_SLACK 0.02
 
 static point on_curve(const point p[4], double t)
@@ -19,7 +19,7 @@ static point on_curve(const point p[4], double t)
     return (point){w0 * p[0].x + w1 * p[1].x + w2 * p[2].x + w3 * p[3].x, w0 * p[0].y + w1 * p[1].y + w2 * p[2].y + w3 * p[3].y};
 }
 
-/* Of the path itself, mapped by m: not of its control points. */
+/* Gives the box of the path itself, mapped by m, not of its control points. */
 static box drawn_bounds(const path *p, matrix m)
 {
     box b = BOX_EMPTY;

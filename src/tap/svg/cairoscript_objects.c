@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * CairoScript operators that move values about: the stack, names, and the making of surfaces, patterns and contexts.
+ * Holds the CairoScript operators that move values about: the stack, names, and the making of surfaces, patterns and
+ * contexts.
  */
 #include "tap/svg/cairoscript_state.h"
 
@@ -298,7 +299,7 @@ static bool op_undef(script_state *s)
     return plb_script_pop(s);
 }
 
-/* CONTEXT /target get: the context stays below. */
+/* Does CONTEXT /target get: the context stays below. */
 static bool op_get(script_state *s)
 {
     script_value *name = plb_script_peek(s, 0);
@@ -321,7 +322,7 @@ static bool op_get(script_state *s)
 
 static bool op_nothing(script_state *s) { (void)s; return true; }
 
-/* Sorted by name. Fonts and images are accepted and left out. */
+/* The operators are sorted by name. Fonts and images are accepted and left out. */
 const script_operator plb_script_object_operators[] = {
     {"a", op_alpha},
     {"add-color-stop", op_add_stop},

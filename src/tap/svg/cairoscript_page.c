@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The page, for the CairoScript reader: what reaches it is written to the list at once. Paths are written in the units
- * in which they come, short numbers, with a map to the page that changes only between groups. A number that is none,
- * or is infinite, has no place in the list.
+ * Writes what reaches the page to the list at once, for the CairoScript reader. Paths are written in the units in which
+ * they come, short numbers, with a map to the page that changes only between groups. A number that is not finite has no
+ * place in the list.
  */
 #include "tap/svg/cairoscript_state.h"
 
@@ -38,7 +38,7 @@ static void write_matrix(script_state *s, matrix m)
     s->written = m;
 }
 
-/* Are all lengths of a line such as a list may have? */
+/* Tells whether all lengths of a line are such as a list may have. */
 static bool is_sane_line(const item *it)
 {
     bool ok = it->width >= 0 && isfinite(it->width) && isfinite(it->dash_offset);

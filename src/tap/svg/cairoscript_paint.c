@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * Painting for the CairoScript reader: paths become items of the display list. A group (a surface of its own that is
- * then painted) is spliced in place: its items, mapped by the pattern's matrix, under the current clip.
+ * Paints for the CairoScript reader: paths become items of the display list. A group (a surface of its own that is then
+ * painted) is spliced in place: its items, mapped by the pattern's matrix, under the current clip.
  */
 #include "tap/common/tap_area.h"
 #include "tap/svg/cairoscript_state.h"
 
-/* How far back a clip is looked for that was made before: the same one comes again for each element. */
+/* A clip that was made before is looked for so far back: the same clip comes again for each element. */
 #define CLIPS_BACK 8
 
-/* Groups can be painted twice in each group above: what all that are alive hold together is bounded. */
+/* Counts what a group holds against the bound for all groups alive, because groups can be painted twice in each group above. */
 static bool count_held(script_state *s, script_surface *f)
 {
     if (f->list == &s->page)
@@ -20,7 +20,7 @@ static bool count_held(script_state *s, script_surface *f)
     return s->held <= LIST_MAX_POINTS || plb_fail(s->err, ERROR_LIMIT, "the drawing's groups hold more than %u points", LIST_MAX_POINTS);
 }
 
-/* A copy of the item, whose path `m` maps to the list; all else is in the list's units. */
+/* Copies the item, whose path `m` maps to the list; all else is in the list's units. */
 static bool copy_item(script_state *s, const item *from, matrix m, item *to)
 {
     *to = *from;
@@ -36,7 +36,7 @@ static bool copy_item(script_state *s, const item *from, matrix m, item *to)
     return plb_fail_memory(s->err);
 }
 
-/* On the page it is written, in a group it is kept. `it` stays the caller's. */
+/* Adds an item: on the page the item is written, in a group kept. `it` stays the caller's. */
 static bool add_item(script_state *s, script_surface *f, const item *it, matrix m)
 {
     item copy;
@@ -51,8 +51,8 @@ static bool add_item(script_state *s, script_surface *f, const item *it, matrix 
     return count_held(s, f);
 }
 
-/* The index of the clip in the surface's list, where it is added unless the same one is there already. `m` maps its path
- * to the list. */
+/* Gives the index of the clip in the surface's list, which gets the clip unless the same one is there already. `m` maps
+ * the clip's path to the list. */
 static bool add_clip(script_state *s, script_surface *f, const clip *c, matrix m, int *index)
 {
     clip narrow = {.even_odd = c->even_odd, .parent = c->parent};
@@ -109,8 +109,8 @@ static paint source_paint(const script_pattern *p)
     return colour;
 }
 
-/* The paint as the operator applies it. To multiply by a colour is to lay a glass over what is there, as dark and as strongly
- * coloured as can be: over white it looks like the colour, and it hides nothing. */
+/* Gives the paint as the operator applies it. To multiply by a colour is to lay a glass over what is there, as dark and
+ * as strongly coloured as can be: over white the glass looks like the colour, and it hides nothing. */
 static paint as_applied(const script_context *c, paint p)
 {
     double lightest = fmin(p.red, fmin(p.green, p.blue)), opaque = 1 - lightest;
@@ -119,7 +119,7 @@ static paint as_applied(const script_context *c, paint p)
     return (paint){PAINT_SOLID, (p.red - lightest) / opaque, (p.green - lightest) / opaque, (p.blue - lightest) / opaque, p.alpha * opaque};
 }
 
-/* The source's gradient, with its place on the surface's list. 0: none, or one that is squeezed flat. */
+/* Gives the source's gradient, with its place on the surface's list. 0: there is none, or one that is squeezed flat. */
 static bool add_source(script_state *s, script_surface *f, const script_pattern *p, const path *fills, unsigned *index)
 {
     matrix back;
@@ -145,7 +145,7 @@ static void drop_last_move(path *p)
     p->points.n--;
 }
 
-/* The context's path, borrowed and in the surface's units, and its paint as an item of the target's list. */
+/* Makes an item of the target's list from the context's path, borrowed and in the surface's units, and its paint. */
 static bool start_item(script_state *s, const script_context *c, item_kind kind, item *it)
 {
     *it = (item){.kind = kind, .path = c->path, .paint = as_applied(c, source_paint(c->source)), .clip = c->clip};
@@ -155,7 +155,7 @@ static bool start_item(script_state *s, const script_context *c, item_kind kind,
 
 /* ---- groups ----------------------------------------------------------------------------------------------- */
 
-/* The group's clips in the target's list; where[i] is the new index of the group's clip i. */
+/* Adds the group's clips to the target's list; where[i] is the new index of the group's clip i. */
 static bool splice_clips(script_state *s, script_surface *to, const display_list *group, matrix m, int outer, int *where)
 {
     for (size_t i = 0; i < group->clips.n; i++) {
@@ -167,7 +167,7 @@ static bool splice_clips(script_state *s, script_surface *to, const display_list
     return true;
 }
 
-/* The group's gradient of an item in the target's list. */
+/* Gives the group's gradient of an item in the target's list. */
 static bool splice_gradient(script_state *s, script_surface *to, const display_list *group, matrix m, double alpha, item *it)
 {
     const gradient *from = plb_item_gradient(group, it);
@@ -181,7 +181,7 @@ static bool splice_gradient(script_state *s, script_surface *to, const display_l
     return add_gradient(s, to, &g, &it->gradient);
 }
 
-/* An item of the group, with its path still in the group's units; its dashes are the caller's. */
+/* Makes an item of the group, with its path still in the group's units; its dashes are the caller's. */
 static bool splice_item(script_state *s, const item *from, double scale, item *it)
 {
     *it = *from;
@@ -291,7 +291,7 @@ bool plb_script_stroke(script_state *s, script_context *c)
     return ok;
 }
 
-/* A box as large as the surface, in its list's units. */
+/* Makes a box as large as the surface, in its list's units. */
 static bool surface_box(const script_state *s, const script_surface *f, path *out)
 {
     bool is_page = f->list == &s->page;

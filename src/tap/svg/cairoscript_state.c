@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The CairoScript reader's stack and its counted objects. A context holds a pattern, a pattern a surface, a surface
- * nothing: releasing goes three deep at most, whatever the input.
+ * Keeps the CairoScript reader's stack and its counted objects. A context holds a pattern, a pattern a surface, a
+ * surface nothing: releasing goes three deep at most, whatever the input.
  */
 #include "tap/svg/cairoscript_state.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the CairoScript reader keeps: operand stack, surfaces, patterns and drawing contexts. Only the files
+ * Holds the state of the CairoScript reader: operand stack, surfaces, patterns and drawing contexts. Only the files
  * cairoscript*.c include this.
  */
 #ifndef PLB_TAP_SVG_CAIROSCRIPT_STATE_H
@@ -22,7 +22,7 @@ typedef struct {
     unsigned references;
 } script_object;
 
-/* What is drawn on: the page itself, or a group of its own until it is painted somewhere. */
+/* A script_surface is drawn on: the page itself, or a group of its own until it is painted somewhere. */
 typedef struct {
     script_object head;
     display_list *list; /* the page's (clips, gradients), or `own` */
@@ -81,10 +81,10 @@ typedef struct {
     };
 } script_value;
 
-/* What a //CONSTANT means to the operator that takes it. */
+/* A //CONSTANT has one of these meanings to the operator that takes it. */
 enum { CONST_OTHER, CONST_BUTT, CONST_ROUND, CONST_SQUARE, CONST_EVEN_ODD, CONST_EXTEND_NONE, CONST_EXTEND_PAD, CONST_EXTEND_REFLECT, CONST_NO_INK, CONST_BLEND, CONST_MULTIPLY };
 
-/* What a /NAME means; /s12 is 12. */
+/* A /NAME has one of these codes; /s12 is 12. */
 #define NAME_TARGET (-1)
 #define NAME_SOURCE (-2)
 #define NAME_OTHER (-3)
@@ -112,7 +112,7 @@ typedef struct script_state {
     error *err;
 } script_state;
 
-/* Most objects, bindings and values alive at once; a deep drawing has some hundred. */
+/* At most so many objects, bindings and values are alive at once; a deep drawing has some hundred. */
 #define SCRIPT_MAX_OBJECTS 100000u
 #define SCRIPT_MAX_STACK 100000u
 #define SCRIPT_ITEM_POINTS 16u /* an item or clip takes the memory of so many points */
@@ -127,17 +127,17 @@ bool plb_script_push(script_state *s, script_value v);
 /* Pushes and takes over the reference. */
 bool plb_script_push_object(script_state *s, script_object *o);
 bool plb_script_pop(script_state *s);
-/* The value `depth` below the top; NULL and an error when there is none. */
+/* Gives the value `depth` below the top; NULL and an error when there is none. */
 script_value *plb_script_peek(script_state *s, size_t depth);
 /* Copies the topmost `n` values, all numbers, and pops them. */
 bool plb_script_take(script_state *s, size_t n, double *numbers);
-/* The object on top, of that kind; borrowed. NULL and an error when it is not there. */
+/* Gives the object on top, of that kind; borrowed. NULL and an error when there is none. */
 void *plb_script_top(script_state *s, script_kind kind);
 /* Pops a value of that kind; an error that speaks of `what` when another is there. */
 bool plb_script_pop_kind(script_state *s, value_kind kind, const char *what);
 void plb_script_free(script_state *s);
 
-/* Operators: two tables, each sorted by name. */
+/* The operators stand in two tables, each sorted by name. */
 typedef bool (*script_operation)(script_state *s);
 typedef struct {
     const char *name;
@@ -145,24 +145,24 @@ typedef struct {
 } script_operator;
 extern const script_operator plb_script_draw_operators[], plb_script_object_operators[];
 extern const size_t plb_script_draw_count, plb_script_object_count;
-/* What /s12 (12) stands for; NULL: nothing. */
+/* Gives the binding of /s12 (12); NULL: there is none. */
 script_binding *plb_script_lookup(script_state *s, int id);
 
-/* Painting (cairoscript_paint.c). */
+/* cairoscript_paint.c paints. */
 bool plb_script_fill(script_state *s, script_context *c);
 bool plb_script_stroke(script_state *s, script_context *c);
 /* Paints the source all over the clip; `alpha` below 1 for a mask of one opacity. */
 bool plb_script_paint(script_state *s, script_context *c, double alpha);
 bool plb_script_clip(script_state *s, script_context *c);
 
-/* What is on the page goes to the list (cairoscript_page.c). `m` maps the path to mm; widths and dashes are mm already. */
+/* cairoscript_page.c writes what is on the page to the list. `m` maps the path to mm; widths and dashes are mm already. */
 bool plb_script_write_item(script_state *s, const item *it, matrix m);
 bool plb_script_write_clip(script_state *s, const clip *c, matrix m);
 bool plb_script_is_sane_gradient(const gradient *g);
 void plb_script_write_gradient(script_state *s, const gradient *g);
 
-/* cairoscript_gradient.c: from the surface's units to the gradient's, for the path that it fills (in the surface's units;
- * an empty one: the pattern's matrix as it is). */
+/* cairoscript_gradient.c gives the map from the surface's units to the gradient's, for the path that it fills (in the
+ * surface's units; an empty one: the pattern's matrix as it is). */
 matrix plb_script_gradient_matrix(const script_state *s, const script_pattern *p, const path *fills);
 
 #endif

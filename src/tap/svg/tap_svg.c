@@ -61,7 +61,7 @@ static void __attribute__((noreturn)) quit_malformed(const char *message)
 
 /* ---- output ------------------------------------------------------------------------------------------------ */
 
-/* Of the list. */
+/* Writes bytes of the list to standard output. */
 static bool put(void *closure, const char *data, size_t n)
 {
     (void)closure;
@@ -80,7 +80,7 @@ static void __attribute__((noreturn)) quit_for(const error *err)
     quit(limit ? TAP_LIMIT : TAP_REFUSED, "%s%s", limit ? "" : "cannot read what cairo wrote: ", err->text);
 }
 
-/* What cairo writes, number by number, goes to the reader of it in larger pieces. */
+/* A script_pipe gathers what cairo writes, number by number, and hands it to the reader in larger pieces. */
 typedef struct {
     cairoscript *script;
     size_t n;
@@ -151,7 +151,7 @@ static GByteArray *read_document(void)
     return read_stream(g_converter_input_stream_new(packed, unzip));
 }
 
-/* First `what` in text[from..size), or size. */
+/* Gives the place of the first `what` in text[from..size), or size. */
 static size_t find(const GByteArray *text, size_t from, size_t to, const char *what)
 {
     size_t n = strlen(what);
@@ -184,7 +184,7 @@ static void silence(void *context, const char *format, ...)
     (void)format;
 }
 
-/* The next node in document order, not into entities. */
+/* Gives the next node in document order, not into entities. */
 static xmlNode *following(xmlNode *n)
 {
     if (n->type == XML_ELEMENT_NODE && n->children)
@@ -206,8 +206,8 @@ static void drop_references(xmlDoc *doc)
     }
 }
 
-/* The document as libxml2's recovery parser understands it: cut off where it must be, tags closed, no entity
- * expanded, nothing loaded. Bytes that are not the UTF-8 they claim to be are read as Latin-1. */
+/* Gives the document in the form that libxml2's recovery parser understands: cut off where it must be, tags closed, no
+ * entity expanded, nothing loaded. Bytes that are not the UTF-8 they claim to be are read as Latin-1. */
 static GByteArray *recover(GByteArray *text)
 {
     for (size_t i = 0; i < text->len; i++)
@@ -246,7 +246,7 @@ static RsvgHandle *load(const GByteArray *text)
     return svg;
 }
 
-/* True when the document may turn its root element itself, by an attribute or a style rule: that wins over ours. */
+/* Tells whether the document may turn its root element itself, by an attribute or a style rule, which win over ours. */
 static bool root_is_transformed(const GByteArray *text)
 {
     size_t at = find(text, 0, text->len, "svg");
@@ -316,9 +316,9 @@ static tap_page find_page(RsvgHandle *svg)
 
 /* ---- drawing ---------------------------------------------------------------------------------------------- */
 
-/* The turn (unless cairo does it), and what would only make pixels switched off: the drawing behind masks and filters
- * stays. Pattern tiles are drawn upright, out of the turn's reach, where strokes do no harm; nobody reads them, but an
- * empty tile would take the fill with it. */
+/* Makes the style sheet: the turn (unless cairo does it), and what would only make pixels switched off: the drawing
+ * behind masks and filters stays. Pattern tiles are drawn upright, out of the turn's reach, where strokes do no harm;
+ * nobody reads them, but an empty tile would take the fill with it. */
 static void set_style(RsvgHandle *svg, const tap_page *p, const tap_placing *l, double magnify, bool by_style, bool no_text)
 {
     char style[700] = "", turn[200] = "";
@@ -364,7 +364,7 @@ static bool draw(RsvgHandle *svg, const tap_page *p, bool by_style, bool no_text
     return done && !status;
 }
 
-/* True when clip paths or gradients may be in box units, which gradients are unless they say otherwise. */
+/* Tells whether clip paths or gradients may be in box units, which gradients are unless they say otherwise. */
 static bool has_box_units(const GByteArray *text)
 {
     static const char *const clips[] = {"clipPathUnits=\"objectB", "clipPathUnits='objectB", NULL};
@@ -373,9 +373,9 @@ static bool has_box_units(const GByteArray *text)
     return count(text, clips) || count(text, gradients) > count(text, others);
 }
 
-/* Who turns the page. The style does it best, but not where the document's root has a transform of its own, which
- * wins; and librsvg takes the boxes of box units upright after the turn, so there cairo has to do it, if its faults
- * allow, which is tried first. */
+/* Decides who turns the page. The style does it best, but not where the document's root has a transform of its own,
+ * which wins; and librsvg takes the boxes of box units upright after the turn, so there cairo has to do it, if its
+ * faults allow, which is tried first. */
 static bool turn_by_style(RsvgHandle *svg, const GByteArray *text, const tap_page *p, bool no_text)
 {
     char why[200];
@@ -384,7 +384,7 @@ static bool turn_by_style(RsvgHandle *svg, const GByteArray *text, const tap_pag
     return !has_box_units(text) || !draw(svg, p, false, no_text, discard, NULL, why);
 }
 
-/* Whether there is text that no font is at hand for: it would come out as boxes. */
+/* Tells whether there is text that no font is at hand for: it would come out as boxes. */
 static bool lacks_fonts(const GByteArray *text)
 {
     static const char *const words[] = {"<text", ":text", NULL};
@@ -394,7 +394,7 @@ static bool lacks_fonts(const GByteArray *text)
     return !fonts || fonts->nfont == 0;
 }
 
-/* The document in words that librsvg knows; the same where it is so already. */
+/* Gives the document in words that librsvg knows; the same text where nothing needs it. */
 static GByteArray *rewritten(GByteArray *text, rewrite_report *report)
 {
     if (!plb_rewrite_is_due((const char *)text->data, text->len))
@@ -403,7 +403,7 @@ static GByteArray *rewritten(GByteArray *text, rewrite_report *report)
     return made ? made : text;
 }
 
-/* What could not be rewritten is left out, or not as it should be. */
+/* Counts what could not be rewritten, which is left out or drawn otherwise than it should be. */
 static void add_report(list_writer *out, const rewrite_report *report, omissions *lost)
 {
     lost->n[OMISSION_TEXT] += report->text;

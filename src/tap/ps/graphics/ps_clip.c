@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript clipping: each clip becomes an entry of the display list that narrows the one before it (PLRM,
+ * Narrows the clip: each PostScript clip becomes an entry of the display list that narrows the one before it (PLRM,
  * section 4.4.3).
  */
 #include "tap/ps/ps.h"
@@ -46,7 +46,7 @@ static bool encloses_nothing(const path *shape)
     return true;
 }
 
-/* Is the new clip the one already there? Programs repeat them around every object. */
+/* Tells whether the new clip is the one already there: programs repeat clips around every object. */
 static bool is_repeated(ps *p, const path *shape, bool even_odd)
 {
     int i = ps_gs(p)->clip;
@@ -86,7 +86,7 @@ static bool op_initclip(ps *p)
     return true;
 }
 
-/* The clips that clipsave put aside in this graphics state, the last first. */
+/* A ps_kept_clip is a clip that clipsave put aside in this graphics state; the last comes first. */
 struct ps_kept_clip {
     struct ps_kept_clip *below;
     int clip;
@@ -115,7 +115,7 @@ static bool op_cliprestore(ps *p)
     return true;
 }
 
-/* The one clip there is, or the box of several: their exact common area is nobody's path. */
+/* Gives the one clip there is, or the box of several: their exact common area is nobody's path. */
 static bool op_clippath(ps *p)
 {
     const ps_state *g = ps_gs(p);

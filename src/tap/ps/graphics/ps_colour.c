@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript colour: everything becomes red, green and blue. Device spaces by the formulas of PLRM, section 7.2;
+ * Turns every PostScript colour into red, green and blue. Device spaces go by the formulas of PLRM, section 7.2;
  * calibrated and ICC spaces count as the device space with as many components; Indexed, Separation and DeviceN are
  * followed to the space they stand on; a pattern has the colour it is given, else a middle grey.
  */
@@ -31,7 +31,7 @@ static void set_cmyk(ps *p, const double *v)
 
 static void set_lab(ps *p, const double *v) { set_rgb(p, v[0] / 100, v[0] / 100, v[0] / 100); }
 
-/* Families whose colours follow from their components alone; `components` 0: as the space says. */
+/* The colours of these families follow from their components alone; `components` 0: the space says their number. */
 static const struct {
     const char *name;
     unsigned components;
@@ -53,14 +53,14 @@ static ps_object element(ps_object space, uint32_t i)
     return space.type == PS_ARRAY && i < space.n ? space.as.array[i] : ps_null();
 }
 
-/* /N of an ICC profile's dictionary. */
+/* Gives /N of an ICC profile's dictionary. */
 static unsigned icc_components(ps *p, ps_object space)
 {
     ps_object dict = element(space, 1), *n = dict.type == PS_DICT ? plb_ps_get_text(p, dict.as.dict, "N") : NULL;
     return n && n->type == PS_INTEGER && (n->as.integer == 1 || n->as.integer == 4) ? (unsigned)n->as.integer : 3;
 }
 
-/* The family's place in the table for spaces that need no further look; -1: others. */
+/* Gives the family's place in the table for spaces that need no further look; -1: the family needs one. */
 static int simple_family(ps *p, ps_object space)
 {
     ps_object family = family_of(space);
@@ -99,7 +99,7 @@ static bool through_procedure(ps *p, ps_object alternative, ps_object proc)
     return plb_ps_execute(p, proc);
 }
 
-/* An Indexed colour from a string: puts the base space's components in the place of the index. */
+/* Looks up an Indexed colour in a string: puts the base space's components in the place of the index. */
 static bool look_up(ps *p, ps_object table, unsigned components)
 {
     int64_t at = (int64_t)floor(ps_value(*ps_args(p, 1))) * components;
@@ -146,7 +146,7 @@ static bool colour_from_operands(ps *p, ps_object space)
     return plb_ps_raise(p, PS_RANGECHECK);
 }
 
-/* What `currentcolor` will give. */
+/* Keeps the operands for `currentcolor`. */
 static void remember_operands(ps *p, unsigned n)
 {
     ps_state *g = ps_gs(p);
@@ -155,7 +155,7 @@ static void remember_operands(ps *p, unsigned n)
         g->colour[i] = ps_args(p, n)[i];
 }
 
-/* The pattern on top and, when it has no colours of its own, the colour of `space` below it. */
+/* Takes the pattern on top and, when the pattern has no colours of its own, the colour of `space` below it. */
 static bool set_pattern(ps *p, ps_object space)
 {
     ps_object pattern = *ps_args(p, 1), *type = NULL;
@@ -196,7 +196,7 @@ static bool op_setpattern(ps *p)
     return set_pattern(p, plb_ps_text_is(family_of(space), "Pattern") ? element(space, 1) : space);
 }
 
-/* The first colour of a space: black, or the full tint. */
+/* Sets the first colour of a space: black, or the full tint. */
 static bool op_setcolorspace(ps *p)
 {
     ps_state *g = ps_gs(p);
@@ -228,7 +228,7 @@ static bool op_setgray(ps *p) { return set_device(p, "DeviceGray", 0); }
 static bool op_setrgbcolor(ps *p) { return set_device(p, "DeviceRGB", 1); }
 static bool op_setcmykcolor(ps *p) { return set_device(p, "DeviceCMYK", 2); }
 
-/* Hue in sixths of the circle, as in every textbook (Smith, SIGGRAPH 1978). */
+/* Turns a hue, in sixths of the circle, into a colour (Smith, SIGGRAPH 1978). */
 static void hsb_to_rgb(double h, double s, double b, double rgb[3])
 {
     double sixth = unit(h) * 6;

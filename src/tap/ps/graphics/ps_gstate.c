@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Graphics states as objects, which programs fill and set at will (PLRM, section 4.2).
+ * Keeps graphics states as objects, which programs fill and set at will (PLRM, section 4.2).
  */
 #include "tap/ps/ps.h"
 
@@ -23,7 +23,7 @@ static bool op_gstate(ps *p)
     return plb_ps_push(p, (ps_object){.type = PS_GSTATE, .as.save = (uint32_t)(p->kept_states.n - 1)});
 }
 
-/* Makes `to` a copy of `from`; what belongs to a place on the stack of states stays. */
+/* Makes `to` a copy of `from`, but for what belongs to a place on the stack of states. */
 static void assign(ps *p, ps_state *to, const ps_state *from)
 {
     uint32_t save = to->save;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript images are left out whoever reads the file, so they are no reason to ask Ghostscript: their data are read
- * past, so that what follows is understood, and they are counted (PLRM, section 4.10). Glyphs of bitmaps need the same.
+ * Reads past PostScript images, so that what follows is understood, and counts them (PLRM, section 4.10). Ghostscript's
+ * images would be left out as well, so they are no reason to ask Ghostscript. Glyphs of bitmaps need the same.
  */
 #include "tap/ps/ps.h"
 
@@ -66,7 +66,7 @@ static void count_image(ps *p)
         plb_ps_omit(p, OMISSION_IMAGE);
 }
 
-/* The bytes of an image whose rows are padded; negative: rangecheck raised. */
+/* Gives the number of bytes of an image whose rows are padded; negative: rangecheck raised. */
 static double bytes_of(ps *p, double width, double height, double bits_per_pixel)
 {
     if (!(width >= 0 && width <= MAX_SIDE && height >= 0 && height <= MAX_SIDE && bits_per_pixel >= 1 && bits_per_pixel <= 1024)) {

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript operators on matrices and the current transformation matrix (PLRM, sections 4.3 and 8.1).
+ * Holds the operators on matrices and the current transformation matrix (PLRM, sections 4.3 and 8.1).
  */
 #include "tap/ps/ps.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Larger factors or offsets are a broken file's; beyond them device coordinates lose their precision. */
+/* Larger factors or offsets come from a broken file; beyond them device coordinates lose their precision. */
 #define LARGEST 1e15
 
 bool plb_ps_get_matrix(ps *p, ps_object o, matrix *m)
@@ -66,7 +66,7 @@ static bool give_matrix(ps *p, unsigned drop, ps_object array, matrix m)
     return plb_ps_give(p, drop, array);
 }
 
-/* translate, scale, rotate: of the CTM, or of a matrix on top of the numbers, which is then the result. */
+/* Does translate, scale, rotate: of the CTM, or of a matrix on top of the numbers, which is then the result. */
 static bool change(ps *p, unsigned numbers, matrix (*make)(const ps_object *))
 {
     ps_object top = *ps_args(p, 1);
@@ -172,7 +172,7 @@ static bool op_invertmatrix(ps *p)
     return plb_matrix_invert(m, &inverse) ? give_matrix(p, 2, v[1], inverse) : plb_ps_raise(p, PS_UNDEFINEDRESULT);
 }
 
-/* The matrix a transform works with: the operand on top where there is one, else the CTM; `used` operands hold it. */
+/* Gives the matrix a transform works with: the operand on top where there is one, else the CTM; `used` operands hold it. */
 static bool matrix_of_transform(ps *p, bool inverse, matrix *m, unsigned *used)
 {
     ps_object top = *ps_args(p, 1);

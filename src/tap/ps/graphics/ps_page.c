@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript pages: showpage ends the reading, setpagedevice and the names of paper sizes say how large the page is
+ * Ends the pages: showpage ends the reading, setpagedevice and the names of paper sizes say how large the page is
  * (PLRM, section 6).
  */
 #include "tap/ps/ps.h"
@@ -17,7 +17,7 @@ bool plb_ps_set_page_size(ps *p, double width, double height)
     return true;
 }
 
-/* The items alone: saved graphics states may name the clips. */
+/* Drops the items alone: saved graphics states may name the clips. */
 static void clear_page(ps *p)
 {
     for (size_t i = 0; i < p->list->items.n; i++)
@@ -139,7 +139,7 @@ static bool op_currentpagedevice(ps *p)
            plb_ps_put_text(p, d, "NumCopies", ps_null()) && plb_ps_push(p, ps_of_dict(d));
 }
 
-/* Paper sizes that are also operators, in points. */
+/* These paper sizes, in points, are operators, too. */
 static const struct {
     const char *name;
     double width, height;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript painting: stroke and fill become items of the display list, still in device space (PLRM, section 4.5).
+ * Turns stroke and fill into items of the display list, still in device space (PLRM, section 4.5).
  */
 #include "tap/ps/ps.h"
 
 #include <math.h>
 #include <string.h>
 
-/* Without moves at the end, which draw nothing; false when nothing is left. */
+/* Drops moves at the end, which draw nothing; false when nothing is left. */
 static bool trim(path *shape)
 {
     while (shape->ops.n && shape->ops.v[shape->ops.n - 1] == PATH_MOVE) {
@@ -73,7 +73,7 @@ static bool op_eofill(ps *p) { return plb_ps_paint_path(p, ITEM_FILL, true); }
 
 /* ---- rectangles ------------------------------------------------------------------------------------------- */
 
-/* Appends the rectangles that `operands` (four numbers, or one array of them) describe. */
+/* Appends the rectangles that `operands` (four numbers, or one array of numbers) describe. */
 static bool add_rectangles(ps *p, const ps_object *operands)
 {
     uint32_t n = operands->type == PS_ARRAY ? operands->n : 4;
@@ -89,7 +89,7 @@ static bool add_rectangles(ps *p, const ps_object *operands)
     return plb_ps_charge(p, n);
 }
 
-/* How many operands the rectangles take, from the top downwards under `above` others; 0: raised. */
+/* Gives the number of operands that the rectangles take, from the top downwards under `above` others; 0: raised. */
 static unsigned rectangle_operands(ps *p, unsigned above)
 {
     if (p->operand_count <= above) {
@@ -104,7 +104,7 @@ static unsigned rectangle_operands(ps *p, unsigned above)
     return n;
 }
 
-/* Paints in a state of its own, so that the current path stays. */
+/* Paints in a graphics state of its own, so that the current path stays. */
 static bool paint_rectangles(ps *p, item_kind kind, unsigned above, const matrix *pen)
 {
     unsigned n = rectangle_operands(p, above);
@@ -144,7 +144,7 @@ static bool op_rectclip(ps *p)
 
 /* ---- shadings --------------------------------------------------------------------------------------------- */
 
-/* The mean of a function's first and last values, where it says them plainly; else a middle grey. */
+/* Gives the mean of a function's first and last values, where the function states them; else a middle grey. */
 static void mean_of_function(ps *p, const ps_dict *shading, double *grey)
 {
     ps_object *function = plb_ps_get_text(p, shading, "Function");
@@ -161,7 +161,7 @@ static void mean_of_function(ps *p, const ps_dict *shading, double *grey)
     *grey = *grey < 0 ? 0 : *grey > 1 ? 1 : *grey;
 }
 
-/* A shading paints all that the clip leaves: a fill of its bounds with one mean grey. */
+/* Paints all that the clip leaves, for a shading: a fill of the clip's bounds with one mean grey. */
 static bool op_shfill(ps *p)
 {
     double grey;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript path construction (PLRM, sections 4.4 and 8.1). Paths are kept in device space; graphics states share
- * them until one changes its own.
+ * Builds PostScript paths (PLRM, sections 4.4 and 8.1) in device space; graphics states share them until one changes
+ * its own.
  */
 #include "tap/ps/ps.h"
 
@@ -62,7 +62,7 @@ bool plb_ps_replace_path(ps *p, path *with)
     return true;
 }
 
-/* The current path for changing: no other state's, and with room left for `points` more. */
+/* Gives the current path for changing: shared with no other state, and with space for `points` more. */
 static path *path_to_change(ps *p, size_t points)
 {
     ps_state *g = ps_gs(p);
@@ -169,7 +169,7 @@ static bool op_newpath(ps *p) { return plb_ps_new_path(p); }
 static bool op_moveto(ps *p) { return done(p, 2, plb_ps_move(p, point_at(ps_args(p, 2)))); }
 static bool op_lineto(ps *p) { return done(p, 2, plb_ps_line(p, point_at(ps_args(p, 2)))); }
 
-/* The operands as vectors from the current point, in device space. */
+/* Gives the operands as vectors from the current point, in device space. */
 static bool relative(ps *p, unsigned n, point *at)
 {
     const ps_object *v = ps_args(p, 2 * n);
@@ -220,7 +220,7 @@ static bool op_currentpoint(ps *p)
     return plb_ps_current_point(p, &at) && plb_ps_push(p, ps_real(at.x)) && plb_ps_push(p, ps_real(at.y));
 }
 
-/* An arc in user space, `turn` degrees from `from`; at most a full circle of it. */
+/* Adds an arc in user space, `turn` degrees from `from`; at most a full circle. */
 static bool add_arc(ps *p, point centre, double radius, double from, double turn)
 {
     matrix m = ps_gs(p)->ctm;
@@ -245,7 +245,7 @@ static bool add_arc(ps *p, point centre, double radius, double from, double turn
     return true;
 }
 
-/* From the first angle on to the next equivalent of the second. */
+/* Gives the turn from the first angle on to the next equivalent of the second. */
 static double counterclockwise(double from, double to)
 {
     double turn = to - from;
@@ -271,7 +271,7 @@ static bool op_arcn(ps *p)
     return done(p, 5, add_arc(p, point_at(v), ps_value(v[2]), from, -counterclockwise(ps_value(v[4]), from)));
 }
 
-/* The arc that touches the lines from `a` to `b` and from `b` to `c`: its ends; `radius` 0 where they are collinear. */
+/* Finds the arc that touches the lines from `a` to `b` and from `b` to `c`: its ends; `radius` 0 where the points are collinear. */
 static void tangent_arc(point a, point b, point c, double *radius, point *first, point *last, point *centre)
 {
     point u = point_sub(a, b), v = point_sub(c, b);

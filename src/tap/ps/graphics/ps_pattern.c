@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript tiling patterns (PLRM, section 4.9): a fill with a pattern is its cell, a procedure, run once for each
- * tile that may touch the path, with the path as the clip. So the hatching of a drawing comes as its lines. Where
- * the tiles would be too many, the fill stays one item with a mean colour.
+ * Fills with PostScript tiling patterns (PLRM, section 4.9): the cell, a procedure, runs once for each tile that may
+ * touch the path, with the path as the clip. So the hatching of a drawing comes as its lines. Where the tiles would be
+ * too many, the fill stays one item with a mean colour.
  */
 #include "tap/ps/ps.h"
 
@@ -23,7 +23,7 @@ typedef struct {
     bool in_tile;
 } tiling;
 
-/* The pattern's matrix is the one of its making; it is kept in the copy that makepattern gives. */
+/* Copies the pattern's dictionary; the copy keeps the matrix of its making. */
 static bool op_makepattern(ps *p)
 {
     ps_object *v = ps_args(p, 2), kept;
@@ -59,7 +59,7 @@ static bool cell_box(ps *p, const ps_dict *d, box *out)
     return out->x1 > out->x0 && out->y1 > out->y0;
 }
 
-/* What of the path can be seen, in the pattern's space. */
+/* Gives the bounds of the visible part of the path, in the pattern's space. */
 static box bounds_to_cover(ps *p, matrix from_device)
 {
     box b = plb_path_bounds(&ps_gs(p)->path->path), c = plb_ps_clip_bounds(p), out = BOX_EMPTY;
@@ -69,7 +69,7 @@ static box bounds_to_cover(ps *p, matrix from_device)
     return out;
 }
 
-/* The tiles that cover the bounds; false: none, or too many. */
+/* Gives the tiles that cover the bounds; false: none, or too many. */
 static bool count_tiles(tiling *t, box cover, box cell)
 {
     double i0 = floor((cover.x0 - cell.x1) / t->step_x) + 1, i1 = ceil((cover.x1 - cell.x0) / t->step_x) - 1;
@@ -114,7 +114,7 @@ static void drop_tiling(ps *p, ps_frame *f)
     leave_tile(p, f->data);
 }
 
-/* A state like the one a page starts with, at tile `i`, in the fill's clip and colour. */
+/* Makes a state like the one a page starts with, at tile `i`, in the fill's clip and colour. */
 static bool enter_tile(ps *p, tiling *t, uint32_t i)
 {
     double x = t->first_x + t->step_x * (i % t->columns), y = t->first_y + t->step_y * (i / t->columns);

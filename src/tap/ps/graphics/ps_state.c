@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The graphics state: gsave and grestore, save and restore, line parameters, and the device-dependent settings that
- * are accepted without effect (PLRM, sections 4.2 and 8.1).
+ * Keeps the graphics state: gsave and grestore, save and restore, line parameters, and the device-dependent settings
+ * that are accepted without effect (PLRM, sections 4.2 and 8.1).
  */
 #include "tap/ps/ps.h"
 
@@ -55,7 +55,7 @@ bool plb_ps_save_state(ps *p)
     return true;
 }
 
-/* Back to the state below, which stays alone on the stack when it is the last. */
+/* Goes back to the state below, which stays alone on the stack when it is the last. */
 void plb_ps_restore_state(ps *p)
 {
     if (p->state_count < 2)
@@ -75,7 +75,7 @@ static bool op_gsave(ps *p)
     return plb_ps_save_state(p);
 }
 
-/* A copy of the state below is current again; `save` keeps its own. */
+/* Makes a copy of the state below current; `save` keeps its own. */
 static bool op_grestore(ps *p)
 {
     if (!ps_gs(p)->save) {
@@ -105,7 +105,7 @@ static bool op_save(ps *p)
     return plb_ps_push(p, (ps_object){.type = PS_SAVE, .as.save = p->save_now});
 }
 
-/* The innermost save that is left on the stack of graphics states. */
+/* Gives the innermost save that is left on the stack of graphics states. */
 static uint32_t innermost_save(const ps *p)
 {
     for (uint32_t i = p->state_count; i-- > 0;)

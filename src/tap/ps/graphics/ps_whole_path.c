@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript operators on the current path as a whole: flattenpath, strokepath, pathbbox, pathforall and the
- * user paths of Level 2 (PLRM, sections 4.4, 4.6 and 8.1).
+ * Holds the operators on the current path as a whole: flattenpath, strokepath, pathbbox, pathforall and the user paths
+ * of Level 2 (PLRM, sections 4.4, 4.6 and 8.1).
  */
 #include "tap/ps/ps.h"
 
@@ -55,7 +55,7 @@ static bool op_flattenpath(ps *p)
     return good;
 }
 
-/* Nothing that is drawn depends on a path's direction here but the winding rule, which only asks for equality. */
+/* Leaves the path as it is: nothing that is drawn depends on the path's direction but the winding rule, which only asks for equality. */
 static bool op_reversepath(ps *p)
 {
     (void)p;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Dictionaries: entries in the order of their making (so that `forall` is the same on every machine), found by a
- * linear search while they are few and by a hash index when they are many; and the journal that lets `restore`
- * put old values back.
+ * Keeps dictionaries: entries in the order of their making (so that `forall` is the same on every machine), found by a
+ * linear search while they are few and by a hash index when they are many; and the journal that lets `restore` put old
+ * values back.
  */
 #include "tap/ps/ps.h"
 
@@ -91,7 +91,7 @@ static void index_entry(ps_dict *d, uint32_t number)
     d->index[i] = number + 1;
 }
 
-/* Room for one more entry: the first time as many as stated, then twice as many; removed entries fall out. */
+/* Makes space for one more entry: the first time as many as stated, then twice as many; removed entries fall out. */
 static bool grow(ps *p, ps_dict *d)
 {
     uint32_t capacity = d->capacity ? d->live * 2 : d->stated < SMALL ? d->stated : SMALL;

@@ -73,7 +73,7 @@ bool plb_ps_execute(ps *p, ps_object o)
     return o.type == PS_NULL || plb_ps_push(p, o);
 }
 
-/* An object met in a file or procedure: a procedure there waits, it is not entered. */
+/* Executes an object met in a file or procedure, where a procedure waits instead of being entered. */
 static bool meet(ps *p, ps_object o)
 {
     if (!o.executable && o.type != PS_OPERATOR)

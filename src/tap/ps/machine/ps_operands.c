@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The interpreter's two stacks: operands, checked against an operator's signature, and the frames of what is under way.
+ * Keeps the interpreter's two stacks: operands, checked against an operator's signature, and the frames of what is
+ * under way.
  */
 #include "tap/ps/ps.h"
 

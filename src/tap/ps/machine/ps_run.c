@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The loop that runs a program, and what becomes of a fault: its handler of errordict runs, which by default stops the
- * program up to the nearest `stopped`; where there is none the fault becomes the one line of text the user sees (PLRM,
- * section 3.11).
+ * Runs a program, and decides on a fault: the fault's handler of errordict runs, which by default stops the program up
+ * to the nearest `stopped`; where there is none the fault becomes the one line of text the user sees (PLRM, section
+ * 3.11).
  */
 #include "tap/ps/ps.h"
 
@@ -20,7 +20,7 @@ static error_kind kind_of(ps_fault fault)
     }
 }
 
-/* The culprit's name as one word that can be shown. */
+/* Gives the culprit's name as one word that can be shown. */
 static const char *show(ps_object o, char out[64])
 {
     const char *text = o.type == PS_OPERATOR ? o.as.op->name : "";
@@ -94,7 +94,7 @@ bool plb_ps_make_errordict(ps *p)
            plb_ps_put_text(p, p->error_info, "command", ps_null());
 }
 
-/* After a step returned false: runs the handler; false when the reading is over. */
+/* Runs the handler after a step returned false; false when the reading is over. */
 static bool handle_fault(ps *p)
 {
     if (p->err.kind != ERROR_NONE || !plb_ps_charge(p, 50))

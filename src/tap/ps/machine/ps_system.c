@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * What PostScript programs ask about the machine they run on: memory, time, parameters, the job server. The answers
- * are constants or counts of steps, so that a drawing never depends on the machine (PLRM, sections 3.7 and 8.1).
+ * Answers what PostScript programs ask about the machine they run on: memory, time, parameters, the job server. The
+ * answers are constants or counts of steps, so that a drawing never depends on the machine (PLRM, sections 3.7 and
+ * 8.1).
  */
 #include "tap/ps/ps.h"
 
@@ -13,7 +14,7 @@ static bool op_vmstatus(ps *p)
            plb_ps_push(p, ps_integer((int32_t)PS_MAX_MEMORY));
 }
 
-/* A clock of steps: programs that wait for it come to an end. */
+/* Gives a clock of steps, so that programs that wait come to an end. */
 static bool op_time(ps *p)
 {
     return plb_ps_push(p, ps_integer((int32_t)(p->steps / 1000)));
@@ -34,7 +35,7 @@ static bool op_push_zero(ps *p) { return plb_ps_push(p, ps_integer(0)); }
 static bool op_drop_two(ps *p) { ps_drop(p, 2); return true; }
 static bool op_drop_three(ps *p) { ps_drop(p, 3); return true; }
 
-/* The parameters that programs ask for and set; what they set is not kept. */
+/* Programs ask for these parameters and set them; what they set is not kept. */
 static bool op_parameters(ps *p)
 {
     static const char *const names[] = {
@@ -58,7 +59,7 @@ static bool op_internaldict(ps *p)
     return d && plb_ps_put_text(p, p->systemdict, "%internal", ps_of_dict(d)) && plb_ps_give(p, 1, ps_of_dict(d));
 }
 
-/* Leaving the server loop changes nothing here; the password goes. */
+/* Leaves the server loop, which changes nothing here, and drops the password. */
 static bool op_exitserver(ps *p)
 {
     ps_drop(p, 1);
@@ -127,7 +128,7 @@ static bool put_string(ps *p, ps_dict *d, const char *key, const char *text)
     return plb_ps_new_string(p, text, strlen(text), &s) && plb_ps_put_text(p, d, key, s);
 }
 
-/* Level 3, because some programs draw nothing for less. */
+/* The interpreter claims Level 3, because some programs draw nothing for less. */
 static bool add_values(ps *p)
 {
     ps_dict *d = p->systemdict, *status = p->statusdict;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * From the bytes of a file to objects: numbers, names, strings, and procedures with all that they hold.
+ * Makes objects of the bytes of a file: numbers, names, strings, and procedures with all that they hold.
  */
 #include "tap/ps/ps.h"
 
@@ -82,7 +82,7 @@ static bool simple_object(ps *p, const token *t, ps_object *out)
     }
 }
 
-/* The operands above the topmost brace become a procedure in its place. */
+/* Puts a procedure in the place of the operands above the topmost brace. */
 static bool close_brace(ps *p, ps_object *out)
 {
     uint32_t n = 0;
@@ -97,7 +97,7 @@ static bool close_brace(ps *p, ps_object *out)
     return true;
 }
 
-/* The rest of a procedure whose first brace has been read; its parts wait on the operand stack. */
+/* Reads the rest of a procedure whose first brace has been read; its parts wait on the operand stack. */
 static bool read_procedure(ps *p, ps_file *f, ps_object *out)
 {
     unsigned depth = 1;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The interpreter's memory: an arena that grows and is freed as a whole, with everything counted against a limit;
- * strings, arrays and names live in it.
+ * Gives the interpreter its memory: an arena that grows and is freed as a whole, with everything counted against a
+ * limit; strings, arrays and names live in the arena.
  */
 #include "tap/ps/ps.h"
 
@@ -101,7 +101,7 @@ static uint32_t hash_text(const char *text, size_t n)
     return h ^ h >> 15;
 }
 
-/* The slot where the name is or would go. */
+/* Gives the slot where the name is or would go. */
 static const ps_name **find_slot(ps *p, const char *text, size_t n, uint32_t hash)
 {
     size_t mask = p->names.capacity - 1, i = hash & mask;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript arithmetic (PLRM, section 8.1): integers of 32 bits that become reals when they overflow, angles in
- * degrees, and the random numbers of Park and Miller ("Random number generators: good ones are hard to find",
+ * Holds the operators of arithmetic (PLRM, section 8.1): integers of 32 bits that become reals when they overflow,
+ * angles in degrees, and the random numbers of Park and Miller ("Random number generators: good ones are hard to find",
  * CACM 31, 1988), which other interpreters use too, so that drawings come out alike.
  */
 #include "tap/ps/ps.h"
@@ -13,7 +13,7 @@ static bool give_real(ps *p, unsigned drop, double v)
     return isfinite(v) ? plb_ps_give(p, drop, ps_real(v)) : plb_ps_raise(p, PS_UNDEFINEDRESULT);
 }
 
-/* An integer where both operands are. */
+/* Gives an integer where both operands are integers. */
 static bool give_like(ps *p, const ps_object *v, double result)
 {
     if (v[0].type == PS_INTEGER && v[1].type == PS_INTEGER)
@@ -62,7 +62,7 @@ static bool op_mod(ps *p)
     return plb_ps_give(p, 2, ps_integer((int32_t)((int64_t)v[0].as.integer % v[1].as.integer)));
 }
 
-/* The operators of one operand that keep its type. */
+/* Does the operators of one operand that keep its type. */
 static bool keep_type(ps *p, double result)
 {
     return plb_ps_give(p, 1, ps_args(p, 1)->type == PS_INTEGER ? ps_whole(result) : ps_real(result));
@@ -80,7 +80,7 @@ static bool op_floor(ps *p) { return keep_type(p, floor(top(p))); }
 static bool op_round(ps *p) { return keep_type(p, floor(top(p) + 0.5)); }
 static bool op_truncate(ps *p) { return keep_type(p, trunc(top(p))); }
 
-/* Not of the language, but Ghostscript's programs use them. */
+/* These operators are not of the language, but Ghostscript's programs use them. */
 static bool op_max(ps *p)
 {
     ps_object *v = ps_args(p, 2);
@@ -98,7 +98,7 @@ static bool op_sqrt(ps *p)
     return top(p) < 0 ? plb_ps_raise(p, PS_RANGECHECK) : give_real(p, 1, sqrt(top(p)));
 }
 
-/* Exact at the quarter turns: they are what drawings use. */
+/* Gives the exact sine at the quarter turns, which drawings use. */
 double plb_ps_sin(double degrees)
 {
     static const double quarter[] = {0, 1, 0, -1};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript operators on arrays, and those that arrays share with strings and dictionaries: get, put, length and
- * the intervals (PLRM, section 8.1).
+ * Holds the operators on arrays, and those that arrays share with strings and dictionaries: get, put, length and the
+ * intervals (PLRM, section 8.1).
  */
 #include "tap/ps/ps.h"
 
@@ -16,7 +16,7 @@ static bool op_array(ps *p)
     return plb_ps_new_array(p, (uint32_t)n, &array) && plb_ps_give(p, 1, array);
 }
 
-/* The topmost `n` operands as an array, in the place of these and `more` operands below or above them. */
+/* Puts the topmost `n` operands as an array in the place of these and `more` operands below or above them. */
 static bool gather(ps *p, uint32_t n, unsigned below, unsigned above)
 {
     ps_object array;
@@ -78,7 +78,7 @@ static bool op_length(ps *p)
     return plb_ps_give(p, 1, ps_integer((int32_t)n));
 }
 
-/* Is `index` an integer from 0 to `limit` - 1? */
+/* Tells whether `index` is an integer from 0 to `limit` - 1. */
 static bool check_index(ps *p, ps_object index, uint32_t limit)
 {
     if (index.type != PS_INTEGER)
@@ -125,7 +125,7 @@ static bool op_put(ps *p)
     return true;
 }
 
-/* The part of `from` that starts at `at`; shares its elements. */
+/* Gives the part of `from` that starts at `at`; the part shares the elements of `from`. */
 static ps_object part(ps_object from, uint32_t at, uint32_t n)
 {
     if (from.type == PS_ARRAY && n)

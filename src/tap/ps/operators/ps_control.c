@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript control operators: conditions, loops, `exec`, `stopped` and their kin (PLRM, section 8.1), and `bind`.
+ * Holds the operators of control: conditions, loops, `exec`, `stopped` and their kin (PLRM, section 8.1), and `bind`.
  * Each loop is a frame whose step starts the next round.
  */
 #include "tap/ps/ps.h"
@@ -192,7 +192,7 @@ static bool op_countexecstack(ps *p)
     return plb_ps_push(p, ps_integer((int32_t)p->frame_count));
 }
 
-/* What lies on the execution stack is nothing a program could use: nulls stand for it. */
+/* Fills the array with nulls for the frames, whose contents no program could use. */
 static bool op_execstack(ps *p)
 {
     ps_object *v = ps_args(p, 1);
@@ -202,7 +202,7 @@ static bool op_execstack(ps *p)
     return true;
 }
 
-/* Names that now mean operators become these operators, in the procedures within too. Each place that holds a
+/* Replaces names that now mean operators by these operators, in the procedures within too. Each place that holds a
  * procedure is marked when it has been seen, so that procedures that hold themselves come to an end. */
 static bool bind_procedure(ps *p, ps_object proc, void *waiting_list)
 {

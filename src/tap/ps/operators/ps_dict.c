@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript operators on dictionaries and the dictionary stack (PLRM, section 8.1).
+ * Holds the operators on dictionaries and the dictionary stack (PLRM, section 8.1).
  */
 #include "tap/ps/ps.h"
 

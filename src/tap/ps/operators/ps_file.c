@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript files: only what the input itself holds can be read. Operators that would open, run, delete or rename
- * a file are refused (PLRM, section 3.8).
+ * Holds the operators on files, which can read only what the input itself holds. Operators that would open, run, delete
+ * or rename a file are refused (PLRM, section 3.8).
  */
 #include "tap/ps/ps.h"
 
@@ -12,7 +12,7 @@ static bool op_currentfile(ps *p)
     return plb_ps_push(p, ps_of_file(plb_ps_current_file(p)));
 }
 
-/* One byte, -1 at the end. */
+/* Reads one byte, -1 at the end. */
 static int next_byte(ps_file *f)
 {
     if (f->at >= f->end)
@@ -56,7 +56,7 @@ static int hex_value(int c)
     return c >= 'A' && c <= 'F' ? c - 'A' + 10 : -1;
 }
 
-/* The next hexadecimal digit, others passed over; -1 at the end. */
+/* Reads the next hexadecimal digit, others passed over; -1 at the end. */
 static int next_digit(ps_file *f)
 {
     int c;
@@ -96,7 +96,7 @@ static bool op_readline(ps *p)
     return give_part(p, s, n, c >= 0);
 }
 
-/* The rest of the string that was read from, the object, true; or only false. */
+/* Leaves the rest of the string that was read from, the object, true; or only false. */
 static bool op_token(ps *p)
 {
     ps_object from = *ps_args(p, 1), o;
@@ -131,7 +131,7 @@ static bool op_bytesavailable(ps *p)
     return plb_ps_give(p, 1, ps_integer(left > INT32_MAX ? INT32_MAX : (int32_t)left));
 }
 
-/* An open file's status is true; a file of that name is not to be found. */
+/* Tells the status: true of an open file; a file of a name is not to be found. */
 static bool op_status(ps *p)
 {
     return plb_ps_give(p, 1, ps_boolean(ps_args(p, 1)->type == PS_FILE));
@@ -140,7 +140,7 @@ static bool op_status(ps *p)
 static bool op_drop_one(ps *p) { ps_drop(p, 1); return true; }
 static bool op_drop_two(ps *p) { ps_drop(p, 2); return true; }
 
-/* Only the standard streams have names here. */
+/* Finds a file by name: only the standard streams have names here. */
 static bool op_file(ps *p)
 {
     ps_object name = *ps_args(p, 2);
@@ -157,8 +157,8 @@ static bool op_file(ps *p)
     return plb_ps_give(p, 2, ps_of_file(f));
 }
 
-/* `currentfile eexec`: the encrypted part of a Type 1 font. Its letters are not drawn, so it is passed over; what it
- * would have done is done here: the font dictionary on the stack is defined, and a mark left for `cleartomark`. */
+/* Passes over the encrypted part of a Type 1 font, `currentfile eexec`, whose letters are not drawn. Its effects happen
+ * here: the font dictionary on the stack is defined, and a mark left for `cleartomark`. */
 static bool skip_encrypted(ps_file *f)
 {
     static const char word[] = "cleartomark";

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Operators that are left to Ghostscript, which serves them better than a second interpreter could: filters, whose
- * data only a decoder sees the end of, and resources, which come from outside the file (PLRM, sections 3.9 and 3.13).
- * The first of them ends the reading before anything is written. Where nobody can take over they are errors.
+ * Leaves operators to Ghostscript, which serves them better than a second interpreter could: filters, whose data only a
+ * decoder sees the end of, and resources, which come from outside the file (PLRM, sections 3.9 and 3.13). The first of
+ * them ends the reading before anything is written. Where nobody can take over they are errors.
  */
 #include "tap/ps/ps.h"
 

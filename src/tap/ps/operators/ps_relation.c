@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript comparisons, booleans and bits (PLRM, section 8.1).
+ * Holds the operators of comparison, booleans and bits (PLRM, section 8.1).
  */
 #include "tap/ps/ps.h"
 
@@ -18,7 +18,7 @@ static bool op_ne(ps *p)
     return plb_ps_charge(p, v[0].type == PS_STRING ? v[0].n / 64 : 0) && plb_ps_give(p, 2, ps_boolean(!plb_ps_equal(v[0], v[1])));
 }
 
-/* Numbers by value, strings by their bytes; -1, 0 or 1 in `order`. */
+/* Compares numbers by value, strings by their bytes; -1, 0 or 1 in `order`. */
 static bool compare(ps *p, int *order)
 {
     ps_object *v = ps_args(p, 2);
@@ -60,7 +60,7 @@ static bool op_le(ps *p)
     return compare(p, &order) && plb_ps_give(p, 2, ps_boolean(order <= 0));
 }
 
-/* Both booleans or both integers; as integers in `a` and `b`. */
+/* Takes two booleans or two integers; as integers in `a` and `b`. */
 static bool both(ps *p, uint32_t *a, uint32_t *b)
 {
     ps_object *v = ps_args(p, 2);

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript operators on the operand stack (PLRM, section 8.1).
+ * Holds the operators on the operand stack (PLRM, section 8.1).
  */
 #include "tap/ps/ps.h"
 
@@ -44,7 +44,7 @@ static void reverse(ps_object *from, ps_object *to)
     }
 }
 
-/* A rotation by k is three reversals. */
+/* Rotates by k with three reversals. */
 static bool op_roll(ps *p)
 {
     ps_object *v = ps_args(p, 2);
@@ -99,7 +99,7 @@ static bool op_counttomark(ps *p)
     return plb_ps_count_to_mark(p, &n) && plb_ps_push(p, ps_integer((int32_t)n));
 }
 
-/* The `copy` of a number: the topmost n operands again. */
+/* Copies the topmost n operands: the `copy` of a number. */
 static bool copy_operands(ps *p, int32_t n)
 {
     if (n < 0)
@@ -128,7 +128,7 @@ static bool copy_dict(ps *p)
     return plb_ps_charge(p, from->used) && plb_ps_give(p, 2, v[1]);
 }
 
-/* The `copy` of a composite object into another of its type; the result is the part that was filled. */
+/* Copies a composite object into another of its type: the other `copy`; the result is the part that was filled. */
 static bool copy_composite(ps *p)
 {
     ps_object *v = ps_args(p, 2), to = v[1];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript operators on strings, and those that print, which are accepted and say nothing (PLRM, section 8.1).
+ * Holds the operators on strings, and those that print, which are accepted and say nothing (PLRM, section 8.1).
  */
 #include "tap/ps/ps.h"
 
@@ -22,7 +22,7 @@ static ps_object slice(ps_object s, size_t at, size_t n)
     return s;
 }
 
-/* Where `key` first lies in `s`; s.n when it does not. */
+/* Gives the place where `key` first lies in `s`; s.n when it does not. */
 static bool find(ps *p, ps_object s, ps_object key, size_t *at)
 {
     *at = s.n;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript operators on types and conversions (PLRM, section 8.1). Access attributes are accepted and not kept:
+ * Holds the operators on types and conversions (PLRM, section 8.1). Access attributes are accepted and not kept:
  * nothing here needs protection from the file's own program.
  */
 #include "tap/ps/ps.h"
@@ -52,7 +52,7 @@ static bool op_has_access(ps *p)
     return plb_ps_give(p, 1, ps_boolean(true));
 }
 
-/* The number an operand is or, as a string, spells. */
+/* Gives the number that an operand is or, as a string, spells. */
 static bool number_of(ps *p, ps_object o, ps_object *out)
 {
     if (o.type == PS_STRING) {
@@ -90,7 +90,7 @@ static bool op_cvn(ps *p)
     return name.as.name && plb_ps_give(p, 1, name);
 }
 
-/* A real as text: always with a point, like other interpreters. */
+/* Writes a real as text: always with a point, like other interpreters. */
 static void print_real(char out[64], double v)
 {
     if (fabs(v) > 1e15) {
@@ -102,7 +102,7 @@ static void print_real(char out[64], double v)
     snprintf(out, 64, "%s%s", text, strchr(text, '.') ? "" : ".0");
 }
 
-/* What cvs writes for an object; `spare` is room for numbers. */
+/* Gives the text that cvs writes for an object; `spare` has space for numbers. */
 static const char *text_of(ps_object o, char spare[64], size_t *n)
 {
     const char *text = "--nostringval--";

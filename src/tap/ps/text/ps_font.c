@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript fonts as dictionaries: findfont, definefont, scalefont and their kin (PLRM, sections 5.1 to 5.3).
- * The letters of a font are not drawn, except those of Type 3, which are procedures (ps_text.c); fonts that the
- * file does not bring are stand-ins with the dictionary a program expects.
+ * Keeps PostScript fonts as dictionaries: findfont, definefont, scalefont and their kin (PLRM, sections 5.1 to 5.3).
+ * The letters of a font are not drawn, except those of Type 3, which are procedures (ps_text.c); fonts that the file
+ * does not bring are stand-ins with the dictionary a program expects.
  */
 #include "tap/ps/ps.h"
 
 #include <string.h>
 
-/* The names of the ASCII characters 32 to 126 in StandardEncoding (PLRM, appendix E.5). */
+/* The table names the ASCII characters 32 to 126 in StandardEncoding (PLRM, appendix E.5). */
 static const char *const ascii_names[] = {
     "space", "exclam", "quotedbl", "numbersign", "dollar", "percent", "ampersand", "quoteright", "parenleft", "parenright",
     "asterisk", "plus", "comma", "hyphen", "period", "slash", "zero", "one", "two", "three", "four", "five", "six", "seven",
@@ -70,7 +70,7 @@ static bool put_box(ps *p, ps_dict *d)
     return plb_ps_put_text(p, d, "FontBBox", array);
 }
 
-/* The stand-in for a font that the file does not bring. */
+/* Makes the stand-in for a font that the file does not bring. */
 static bool make_built_in(ps *p, ps_object key, ps_object *font)
 {
     ps_dict *d = plb_ps_new_dict(p, 12);
@@ -130,7 +130,7 @@ static bool op_undefinefont(ps *p)
     return true;
 }
 
-/* A copy of a font whose matrix is followed by `m`. */
+/* Copies a font; `m` follows the matrix of the copy. */
 static bool changed_font(ps *p, ps_object font, matrix m, ps_object *out)
 {
     const ps_dict *from = font.as.dict;

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * PostScript text: the `show` family. Glyphs of Type 3 fonts are procedures and are drawn; of all other fonts the
- * letters are left out, and the current point moves on by an estimated width, so that what follows keeps its place.
- * One frame walks through one string.
+ * Does the `show` family. Glyphs of Type 3 fonts are procedures and are drawn; of all other fonts the letters are left
+ * out, and the current point moves on by an estimated width, so that what follows keeps its place. One frame walks
+ * through one string.
  */
 #include "tap/ps/ps.h"
 
-/* The advance of a letter that is not drawn, in sizes of its font: Helvetica's digits and most small letters are so wide
- * (Adobe's Core14 metrics). */
+/* A letter that is not drawn advances by so many sizes of its font: Helvetica's digits and most small letters are so
+ * wide (Adobe's Core14 metrics). */
 #define MEAN_WIDTH 0.556
 
 typedef struct ps_show {
@@ -30,7 +30,7 @@ typedef struct ps_show {
 
 /* ---- widths ----------------------------------------------------------------------------------------------- */
 
-/* In user space; Type 1 fonts measure in thousandths of the size, which their matrix knows, TrueType fonts in ones. */
+/* Gives a width in user space; Type 1 fonts measure in thousandths of the size, which their matrix knows, TrueType fonts in ones. */
 static point estimated_width(const ps_show *s)
 {
     bool in_thousandths = s->type == 1 || s->type == 2 || (s->type == 3 && plb_matrix_expansion(s->matrix) < 0.1);
@@ -61,7 +61,7 @@ static int code_at(const ps_show *s, uint32_t i)
     return s->names.type == PS_ARRAY ? -1 : (unsigned char)s->text.as.string[i];
 }
 
-/* What the program says instead of the width of character `i`. */
+/* Gives the advance that the program states for character `i`, else `by`. */
 static point shifted(const ps_show *s, uint32_t i, point by)
 {
     uint32_t at = i * s->shift_step;
@@ -83,7 +83,7 @@ static bool advance(ps *p, ps_show *s, uint32_t i, point by)
     return plb_ps_move(p, s->pen);
 }
 
-/* The name of character `i`, from the font's Encoding or as given. */
+/* Gives the name of character `i`, from the font's Encoding or the program. */
 static ps_object glyph_name(ps *p, const ps_show *s, uint32_t i)
 {
     if (s->names.type == PS_ARRAY)
@@ -135,7 +135,7 @@ static bool call_between(ps *p, const ps_show *s)
            plb_ps_execute(p, s->between);
 }
 
-/* cshow: the character's code and width, and nothing is drawn. */
+/* Does cshow: hands out the character's code and width, and draws nothing. */
 static bool call_for_each(ps *p, const ps_show *s, uint32_t i)
 {
     point w = estimated_width(s);
@@ -302,7 +302,7 @@ static bool op_glyphshow(ps *p)
     return show(p, plan, 1);
 }
 
-/* The outlines of letters are not known: the current point moves on. */
+/* Moves the current point on, because the outlines of letters are not known. */
 static bool op_charpath(ps *p)
 {
     ps_show plan = plan_of(*ps_args(p, 2));

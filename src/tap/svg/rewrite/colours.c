@@ -9,12 +9,12 @@
 
 #define MAX_NESTING 8 /* of mixtures in mixtures */
 
-/* Red, green, blue in sRGB's curve, 0 to 1 (beyond: out of gamut), and alpha. */
+/* A colour is red, green, blue in sRGB's curve, 0 to 1 (beyond: out of gamut), and alpha. */
 typedef struct {
     double v[3], alpha;
 } colour;
 
-/* The arguments of a function: numbers, each with its unit's meaning left to the caller. */
+/* The arguments of a function are numbers, each with its unit's meaning left to the caller. */
 typedef struct {
     double v[4];
     bool is_share[4]; /* written with % */
@@ -43,14 +43,14 @@ static colour from_oklab(double l, double a, double b, double alpha)
                        -0.0041960863 * p - 0.7034186147 * q + 1.7076147010 * r, alpha);
 }
 
-/* One axis of CIE Lab back to a share of the white point. */
+/* Maps one axis of CIE Lab back to a share of the white point. */
 static double from_cube_root(double f) { return f > 6.0 / 29 ? f * f * f : 3 * (6.0 / 29) * (6.0 / 29) * (f - 4.0 / 29); }
 
 static colour from_lab(double l, double a, double b, double alpha)
 {
     double f = (l + 16) / 116;
     double x = 0.9642956764 * from_cube_root(f + a / 500), y = from_cube_root(f), z = 0.8251046025 * from_cube_root(f - b / 200);
-    /* From the white point D50 to D65 by Bradford's matrix. */
+    /* Adapts from the white point D50 to D65 by Bradford's matrix. */
     return from_xyz65(0.9554734528 * x - 0.0230985369 * y + 0.0632593086 * z, -0.0283697070 * x + 1.0099954580 * y + 0.0210415381 * z,
                       0.0123140017 * x - 0.0205076965 * y + 1.3303659366 * z, alpha);
 }
@@ -69,7 +69,7 @@ static colour from_hue(double hue, double white, double black, double alpha)
 
 /* ---- reading ------------------------------------------------------------------------------------------------ */
 
-/* Numbers between `at` and `end`, parted by blanks, commas or a stroke before the alpha; `none` is 0. */
+/* Reads numbers between `at` and `end`, parted by blanks, commas or a stroke before the alpha; `none` is 0. */
 static bool read_numbers(const char *at, const char *end, arguments *a)
 {
     for (a->n = 0; at < end;) {
@@ -93,7 +93,7 @@ static bool read_numbers(const char *at, const char *end, arguments *a)
     return a->n >= 3;
 }
 
-/* Argument `i`, of which 100 % stand for `whole`. */
+/* Gives argument `i`, of which 100 % stand for `whole`. */
 static double value_of(const arguments *a, int i, double whole) { return a->is_share[i] ? a->v[i] / 100 * whole : a->v[i]; }
 static double alpha_of(const arguments *a) { return a->n > 3 ? value_of(a, 3, 1) : 1; }
 
@@ -103,7 +103,7 @@ static colour polar(colour (*from)(double, double, double, double), double l, do
     return from(l, chroma * cos(h), chroma * sin(h), alpha);
 }
 
-/* A colour by the name of its space: wide gamuts are taken as sRGB, whose greys they share. */
+/* Makes a colour by the name of its space: wide gamuts are taken as sRGB, whose greys they share. */
 static bool read_space(const char *at, const char *end, colour *c)
 {
     at += strspn(at, " \t\r\n");
@@ -150,7 +150,7 @@ static bool read_function(const char *name, size_t length, const char *at, const
     return same;
 }
 
-/* The end of an argument: a comma outside brackets, or `end`. */
+/* Gives the end of an argument: a comma outside brackets, or `end`. */
 static const char *end_of_argument(const char *at, const char *end)
 {
     int depth = 0;
@@ -159,7 +159,7 @@ static const char *end_of_argument(const char *at, const char *end)
     return at;
 }
 
-/* "COLOUR 30%" or "30% COLOUR"; the share is -1 where none is said. */
+/* Reads "COLOUR 30%" or "30% COLOUR"; the share is -1 where none is said. */
 static bool read_part(const char *at, const char *end, int depth, colour *c, double *share)
 {
     char *text = g_strstrip(g_strndup(at, (gsize)(end - at)));
@@ -180,7 +180,7 @@ static bool read_part(const char *at, const char *end, int depth, colour *c, dou
     return ok;
 }
 
-/* A mixture of two colours in the shares p and q, as sRGB, premultiplied (fifth colour module of CSS, section 3). */
+/* Mixes two colours in the shares p and q, as sRGB, premultiplied (fifth colour module of CSS, section 3). */
 static bool read_mix(const char *at, const char *end, int depth, colour *c)
 {
     const char *first = end_of_argument(at, end), *second = first < end ? end_of_argument(first + 1, end) : end;
@@ -253,7 +253,7 @@ static bool read_colour(const char *text, size_t length, int depth, colour *c)
 
 static const char *const functions[] = {"oklch(", "oklab(", "lch(", "lab(", "hwb(", "color(", "color-mix(", "light-dark(", NULL};
 
-/* The first such function in the text, at the start of a word; NULL: none. */
+/* Gives the first such function in the text, at the start of a word; NULL: none. */
 static const char *find_function(const char *text)
 {
     const char *first = NULL;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Colours that are newer than librsvg 2.54 (CSS colour modules 4 and 5): oklch, oklab, lch, lab, hwb, color(), color-mix and
- * light-dark become rgba().
+ * Replaces colours that are newer than librsvg 2.54 (CSS colour modules 4 and 5): oklch, oklab, lch, lab, hwb, color(),
+ * color-mix and light-dark become rgba().
  */
 #ifndef PLB_TAP_SVG_REWRITE_COLOURS_H
 #define PLB_TAP_SVG_REWRITE_COLOURS_H
@@ -9,9 +9,9 @@
 #include <glib.h>
 #include <stdbool.h>
 
-/* Whether a text holds such a colour. */
+/* Tells whether a text holds such a colour. */
 bool plb_colour_is_new(const char *text);
-/* The text with each such colour replaced; one that cannot be read stays. The caller frees the result with g_free. */
+/* Replaces each such colour of the text; one that cannot be read stays. The caller frees the result with g_free. */
 char *plb_colour_replace(const char *text);
 
 #endif

@@ -43,7 +43,7 @@ static char *without_comments(const char *text)
     return g_string_free(out, FALSE);
 }
 
-/* The end of a compound that starts at `at`: brackets may hold anything. */
+/* Gives the end of a compound that starts at `at`: brackets may hold anything. */
 static const char *end_of_compound(const char *at)
 {
     int depth = 0;
@@ -52,7 +52,7 @@ static const char *end_of_compound(const char *at)
     return at;
 }
 
-/* Counts what a compound is made of (Selectors 3, section 9). */
+/* Counts the parts of a compound (Selectors 3, section 9). */
 static unsigned weigh(const char *compound)
 {
     unsigned ids = 0, classes = 0, types = strspn(compound, NAME_CHARACTERS) > 0;
@@ -63,7 +63,7 @@ static unsigned weigh(const char *compound)
     return ids << 16 | classes << 8 | types;
 }
 
-/* One selector, without commas, into a rule; false: it is empty or too long. */
+/* Reads one selector, without commas, into a rule; false: the selector is empty or too long. */
 static bool read_selector(css_sheet *sheet, const char *text, css_rule *rule)
 {
     char combinator = 0;
@@ -91,7 +91,7 @@ static bool read_selector(css_sheet *sheet, const char *text, css_rule *rule)
     }
 }
 
-/* The selectors before a block, each a rule of its own. */
+/* Makes a rule of each selector before a block. */
 static void add_rules(css_sheet *sheet, const char *selectors, size_t length, const char *block)
 {
     char *text = g_strndup(selectors, length);
@@ -105,7 +105,7 @@ static void add_rules(css_sheet *sheet, const char *selectors, size_t length, co
     g_free(text);
 }
 
-/* Behind the block that opens at `at`. */
+/* Gives the place behind the block that opens at `at`. */
 static const char *end_of_block(const char *at)
 {
     int depth = 0;
@@ -117,7 +117,7 @@ static const char *end_of_block(const char *at)
     return at;
 }
 
-/* Rules at the top; those within @media and the like are passed over, as librsvg passes them over. */
+/* Reads the rules at the top; those within @media and the like are passed over, as librsvg passes them over. */
 static void read_sheet(css_sheet *sheet, const char *text)
 {
     for (;;) {
@@ -187,7 +187,7 @@ static bool has_id(const xmlNode *n, const char *name, size_t length)
     return same;
 }
 
-/* "[name]" or "[name OP value]"; `inside` is what stands between the brackets. */
+/* Matches "[name]" or "[name OP value]"; `inside` stands between the brackets. */
 static bool has_attribute(const xmlNode *n, const char *inside)
 {
     size_t length = strcspn(inside, "~|^$*=" BLANKS);
@@ -234,7 +234,7 @@ static bool matches_pseudo(const xmlNode *n, const char *name, size_t length, co
     return length == 3 && !strncmp(name, "not", 3) && argument && !matches_compound(n, argument);
 }
 
-/* One simple selector at `*at`, which moves behind it. */
+/* Matches one simple selector at `*at`, which moves behind it. */
 static bool matches_simple(const xmlNode *n, const char **at)
 {
     char sign = **at;
@@ -284,7 +284,7 @@ static const xmlNode *element_above(const xmlNode *n)
     return n->parent && n->parent->type == XML_ELEMENT_NODE ? n->parent : NULL;
 }
 
-/* Whether the parts up to `last` match with `n` as the last one. */
+/* Tells whether the parts up to `last` match with `n` as the last one. */
 static bool matches_parts(const xmlNode *n, const css_rule *rule, int last)
 {
     if (!matches_compound(n, rule->parts[last].text))
@@ -303,7 +303,7 @@ static bool matches_parts(const xmlNode *n, const css_rule *rule, int last)
 
 static bool is_important(const char *value) { return strstr(value, "!important") || strstr(value, "! important"); }
 
-/* The declarations of a block, later over earlier; important ones stay. */
+/* Takes over the declarations of a block, later over earlier; important ones stay. */
 static void declare(GHashTable *all, const char *block)
 {
     int depth = 0;

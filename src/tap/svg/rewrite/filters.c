@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Filters: an element whose filter changes its colour gets the colour and opacity that it has, on the average, when it is
- * rendered. A filter that leaves the element itself as it is, as a shadow does, is left out.
+ * Replaces filters: an element whose filter changes its colour gets the colour and opacity that it has, on the average,
+ * when it is rendered. A filter that leaves the element itself unchanged, like a shadow, is left out.
  */
 #include "tap/svg/rewrite/outline.h"
 #include "tap/svg/rewrite/render.h"
@@ -21,7 +21,7 @@ static bool is_same(const double a[4], const double b[4])
     return true;
 }
 
-/* All paints of an element and what is in it become one colour. */
+/* Gives all paints of an element and its contents one colour. */
 static void repaint(rewriting *r, xmlNode *top, const double colour[4])
 {
     static const char *const paints[] = {"fill", "stroke"};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Images that are SVG themselves, given in the document as data URIs (RFC 2397), become nested drawings. Names and style
- * sheets of such a drawing hold inside it alone, so its styles go into the elements and its ids get a prefix.
+ * Turns images that are SVG themselves, given in the document as data URIs (RFC 2397), into nested drawings. Names and
+ * style sheets of such a drawing hold inside it alone, so its styles go into the elements and its ids get a prefix.
  */
 #include "tap/svg/rewrite/outline.h"
 #include "tap/svg/rewrite/steps.h"
@@ -13,7 +13,7 @@
 
 #define MAX_IMAGES 200 /* in one document, nested ones counted */
 
-/* The bytes of a data URI of type image/svg+xml; NULL: something else. */
+/* Gives the bytes of a data URI of type image/svg+xml; NULL: the text is something else. */
 static char *decode(const char *uri, gsize *size)
 {
     const char *comma = strchr(uri, ',');
@@ -34,7 +34,7 @@ static char *decode(const char *uri, gsize *size)
 
 /* ---- names and styles --------------------------------------------------------------------------------------- */
 
-/* Every "#name" of the text becomes "#prefix-name" where the drawing has such an id. */
+/* Turns every "#name" of the text into "#prefix-name" where the drawing has such an id. */
 static char *with_prefix(const char *text, GHashTable *ids, const char *prefix)
 {
     GString *out = g_string_new(NULL);
@@ -72,7 +72,7 @@ static void rename_ids(xmlNode *top, GHashTable *ids, const char *prefix)
         }
 }
 
-/* What the style sheets say of each element, into its style attribute; then they go. */
+/* Puts what the style sheets say of each element into its style attribute, then drops the sheets. */
 static void inline_styles(xmlDoc *doc)
 {
     css_sheet *sheet = plb_css_new(doc);
@@ -111,7 +111,7 @@ static void copy_attribute(const xmlNode *from, xmlNode *to, const char *name)
     g_free(value);
 }
 
-/* The drawing `svg` in the place of `image`, as large as it. */
+/* Puts the drawing `svg` in the place of `image`, as large as it. */
 static void place(xmlNode *image, xmlNode *svg)
 {
     static const char *const taken[] = {"x", "y", "width", "height", "preserveAspectRatio"};
@@ -140,7 +140,7 @@ static void place(xmlNode *image, xmlNode *svg)
     xmlFreeNode(image);
 }
 
-/* False: it is no SVG, and stays. */
+/* Replaces one image; false: the image is no SVG, and stays. */
 static bool rewrite_image(rewriting *r, xmlNode *image, unsigned number)
 {
     char *uri = plb_node_get(image, "href");
@@ -170,7 +170,7 @@ void plb_rewrite_images(rewriting *r)
 {
     unsigned number = 0;
     xmlNode *top = xmlDocGetRootElement(r->doc);
-    /* A drawing that has been put in may hold images of its own: look from the start until there are none. */
+    /* Looks from the start until there are no images left: a drawing that has been put in may hold images of its own. */
     for (bool again = true; again && number < MAX_IMAGES;) {
         again = false;
         for (xmlNode *n = top; n && !again; n = plb_node_next(n, top))

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Labels in HTML, as draw.io and Mermaid write them. A switch shows its first child that can be shown; a foreignObject of
- * one line becomes a text, unless a text for programs without HTML stands beside it, which then is drawn.
+ * Rewrites labels in HTML, such as draw.io and Mermaid make. A switch shows its first child that can be shown; a
+ * foreignObject of one line becomes a text, unless a text for programs without HTML stands beside it, which then is
+ * drawn.
  */
 #include "tap/svg/rewrite/steps.h"
 
@@ -12,7 +13,7 @@
 #define LETTER_EM 0.6      /* a letter's breadth at most on average; chosen by eye: wider labels would have been wrapped */
 #define MIDDLE_EM 0.35     /* from a line's middle down to its baseline; half a capital's height */
 
-/* A label as HTML says it: the text, where its middle or edge lies, how large it is. */
+/* A label holds what HTML says: the text, where its middle or edge lies, how large it is. */
 typedef struct {
     char *text;
     double x, y, width, height; /* of the box, px */
@@ -39,7 +40,7 @@ static char *style_of(const xmlNode *n, const char *property)
     return value;
 }
 
-/* A property that `n` or the nearest element above it, up to `top`, says in its style. */
+/* Gives a property that `n` or the nearest element above it, up to `top`, has in its style. */
 static char *said_above(const xmlNode *n, const xmlNode *top, const char *property)
 {
     for (; n; n = n == top ? NULL : n->parent) {
@@ -56,7 +57,7 @@ static bool breaks_line(const xmlNode *n)
     return plb_node_is_any(n, blocks);
 }
 
-/* The first piece of text that is more than blanks; counts pieces that stand on lines of their own. */
+/* Finds the first piece of text that is more than blanks; counts pieces that stand on lines of their own. */
 static const xmlNode *find_text(const xmlNode *top, bool *several)
 {
     const xmlNode *first = NULL;
@@ -80,7 +81,7 @@ static const xmlNode *find_text(const xmlNode *top, bool *several)
     return first;
 }
 
-/* All text below, blanks run together. */
+/* Gathers all text below; blanks run together. */
 static char *plain_text(const xmlNode *n)
 {
     xmlChar *content = xmlNodeGetContent(n);
@@ -103,7 +104,7 @@ static double number_in(const xmlNode *from, const xmlNode *top, const char *pro
     return v;
 }
 
-/* The box of a foreignObject. draw.io gives it the whole page and places the label by margins inside it. */
+/* Gives the box of a foreignObject. draw.io gives it the whole page and places the label by margins inside it. */
 static void find_box(const xmlNode *n, const xmlNode *at, label *l)
 {
     char *width = plb_node_get(n, "width");
@@ -165,15 +166,15 @@ static xmlNode *make_text(const xmlNode *like, const label *l)
     return text;
 }
 
-/* A label that a browser would have wrapped, or of several lines, is not one line. */
+/* Tells whether a label is one line, which a browser would not have wrapped. */
 static bool fits(const label *l)
 {
     double breadth = LETTER_EM * l->font * (double)g_utf8_strlen(l->text, -1);
     return !l->several_lines && (l->width <= 1 || breadth <= fmax(l->width, 4 * l->font));
 }
 
-/* Puts a text in the place of a foreignObject. `picture` is the image that is to stand for it where there is one: its box is
- * the label's. False: it is more than a line of text, or nobody says where it stands. */
+/* Puts a text in the place of a foreignObject. `picture` is the image that is to stand for it where there is one: the
+ * image's box is the label's. False: the label is more than a line of text, or has no place. */
 static bool replace_foreign(rewriting *r, xmlNode *n, const xmlNode *picture)
 {
     label l = {0};
@@ -222,7 +223,7 @@ static void drop_after(xmlNode *n)
         plb_node_drop(other);
 }
 
-/* Whether an element asks for programs that show HTML, as draw.io says it. */
+/* Tells whether an element asks for programs that show HTML, in draw.io's words. */
 static bool asks_for_html(const xmlNode *n)
 {
     char *features = plb_node_get(n, "requiredFeatures");
@@ -231,7 +232,7 @@ static bool asks_for_html(const xmlNode *n)
     return asks;
 }
 
-/* A switch between HTML and what stands for it. Other switches are librsvg's affair. */
+/* Decides a switch between HTML and its substitute. Other switches are librsvg's affair. */
 static void rewrite_switch(rewriting *r, xmlNode *n)
 {
     xmlNode *first = first_element(n), *second = first ? next_element(first) : NULL;
@@ -261,7 +262,7 @@ void plb_rewrite_labels(rewriting *r)
         next = plb_node_next(n, top);
         if (!plb_node_is(n, "foreignObject") || plb_node_is(n->parent, "switch"))
             continue;
-        /* What lies inside it is no SVG: go on behind it. */
+        /* Goes on behind a foreignObject, whose contents are no SVG. */
         while (next && next != n) {
             xmlNode *up = next;
             while (up && up != n)

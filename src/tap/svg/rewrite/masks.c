@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Masks and clip paths. A mask of white shapes and black ones over them lets through a region with a sharp edge: the same
- * as clip paths, one for the white shapes and one for the outside of each black shape. Another mask acts by its mean tone.
- * A clip path that is itself clipped becomes two, one inside the other (CSS Masking 1).
+ * Replaces masks and clip paths. A mask of white shapes and black ones over them lets through a region with a sharp
+ * edge: the same as clip paths, one for the white shapes and one for the outside of each black shape. Another mask acts
+ * by its mean tone. A clip path that is itself clipped becomes two, one inside the other (CSS Masking 1).
  */
 #include "tap/svg/rewrite/outline.h"
 #include "tap/svg/rewrite/render.h"
@@ -25,7 +25,7 @@ typedef struct {
 
 /* ---- what a mask is made of --------------------------------------------------------------------------------- */
 
-/* Luminance of a plain colour (CSS Masking 1, section 7.10.1); -1: it is something else. */
+/* Gives the luminance of a plain colour (CSS Masking 1, section 7.10.1); -1: the paint is something else. */
 static double luminance(const char *text)
 {
     if (!text)
@@ -47,7 +47,7 @@ static double luminance(const char *text)
     return 0.2125 * v[0] + 0.7154 * v[1] + 0.0721 * v[2];
 }
 
-/* Whether a property that makes paint paler is at its full value. */
+/* Tells whether a property that makes paint paler is at its full value. */
 static bool is_full(rewriting *r, const xmlNode *n, const char *property)
 {
     char *text = plb_css_inherited(r->sheet, n, property);
@@ -64,7 +64,7 @@ static bool is_none(rewriting *r, const xmlNode *n, const char *property)
     return none;
 }
 
-/* Black or white through and through, with a sharp edge, where `n` has an outline. */
+/* Tells whether `n` has an outline and is black or white through and through, with a sharp edge. */
 static bool read_shape(rewriting *r, const xmlNode *n, stencil *s)
 {
     char *fill = plb_css_inherited(r->sheet, n, "fill");
@@ -79,7 +79,7 @@ static bool read_shape(rewriting *r, const xmlNode *n, stencil *s)
     return true;
 }
 
-/* White shapes, then black ones: false for all other masks. */
+/* Finds white shapes, then black ones: false for all other masks. */
 static bool read_stencil(rewriting *r, const xmlNode *mask, stencil *s)
 {
     static const char *const silent[] = {"title", "desc", "metadata", "defs", NULL};
@@ -111,7 +111,7 @@ static void add_data(GString *out, const path *p)
     }
 }
 
-/* From the shape's user space to that of the mask's content. */
+/* Gives the map from the shape's user space to that of the mask's content. */
 static matrix to_mask(const xmlNode *n, const xmlNode *mask)
 {
     matrix m = MATRIX_IDENTITY;
@@ -125,7 +125,7 @@ static matrix to_mask(const xmlNode *n, const xmlNode *mask)
     return m;
 }
 
-/* Adds one shape's outline as a path to a clip path; of a black one all that lies outside it. */
+/* Adds one shape's outline as a path to a clip path; of a black shape all that lies outside. */
 static void add_clip_shape(xmlNode *clip, const xmlNode *shape, const xmlNode *mask, bool white)
 {
     path p = plb_outline(shape);
@@ -143,7 +143,7 @@ static void add_clip_shape(xmlNode *clip, const xmlNode *shape, const xmlNode *m
     plb_path_free(&p);
 }
 
-/* A new, empty clip path with the units of the mask; `*reference` gets "url(#...)", to be freed. */
+/* Makes a new, empty clip path with the units of the mask; `*reference` gets "url(#...)", to be freed. */
 static xmlNode *new_clip(rewriting *r, xmlNode *mask, char **reference)
 {
     xmlNode *clip = plb_node_new(mask, "clipPath");
@@ -185,7 +185,7 @@ static void apply_stencil(rewriting *r, xmlNode *n, xmlNode *mask, const stencil
 
 /* ---- soft masks --------------------------------------------------------------------------------------------- */
 
-/* The mean luminance that the mask has over the element; -1: not known. */
+/* Gives the mean luminance that the mask has over the element; -1: not known. */
 static double mean_of(rewriting *r, const xmlNode *n, const xmlNode *mask)
 {
     char *units = plb_node_get(mask, "maskContentUnits"), *type = plb_css_value(r->sheet, mask, "mask-type");

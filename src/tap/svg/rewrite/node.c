@@ -150,7 +150,7 @@ char *plb_node_name(xmlNode *n, GHashTable *ids, const char *stem)
 
 /* ---- transformations ---------------------------------------------------------------------------------------- */
 
-/* Numbers of one function's brackets, at most six; angles become degrees, lengths px. Their count; -1: not well-formed. */
+/* Reads the numbers in one function's brackets, at most six; angles become degrees, lengths px. Gives their count; -1: not well-formed. */
 static int read_arguments(const char **at, double v[6])
 {
     int n = 0;
@@ -174,7 +174,7 @@ static int read_arguments(const char **at, double v[6])
 
 static matrix translation(double x, double y) { return (matrix){1, 0, 0, 1, x, y}; }
 
-/* One function by its name and `n` arguments; false: there is no such. */
+/* Makes the matrix of one function by its name and `n` arguments; false: there is no such function. */
 static bool make_function(const char *name, size_t length, int n, const double v[6], matrix *m)
 {
     double angle = v[0] * PLB_PI / 180;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Elements of an SVG document and their attributes, as the rewriting steps handle them. Names are compared without
+ * Handles the elements of an SVG document and their attributes for the rewriting steps. Names are compared without
  * their namespace's prefix. Strings that a function gives are the caller's, freed with g_free, unless said otherwise.
  */
 #ifndef PLB_TAP_SVG_REWRITE_NODE_H
@@ -12,43 +12,43 @@
 #include <libxml/tree.h>
 #include <stdbool.h>
 
-/* The deepest element that a step looks at: librsvg itself refuses deeper documents. */
+/* A step looks at elements down to this depth: librsvg itself refuses deeper documents. */
 #define NODE_MAX_DEPTH 1000
 
 bool plb_node_is(const xmlNode *n, const char *name);
-/* Whether `n` is one of the NULL-terminated names. */
+/* Tells whether `n` is one of the NULL-terminated names. */
 bool plb_node_is_any(const xmlNode *n, const char *const names[]);
-/* Whether `n` is a basic shape or a path: what has an outline. */
+/* Tells whether `n` is a basic shape or a path, which have an outline. */
 bool plb_node_is_shape(const xmlNode *n);
 
-/* The text of an attribute; NULL when the element has none of that name. */
+/* Gives the text of an attribute; NULL when the element has none of that name. */
 char *plb_node_get(const xmlNode *n, const char *name);
 void plb_node_set(xmlNode *n, const char *name, const char *value);
 void plb_node_set_number(xmlNode *n, const char *name, double value);
 void plb_node_remove(xmlNode *n, const char *name);
-/* The attribute as a length in px (em: 16, ex: 8); `share_of` is what 100 % stand for; `otherwise` where it is absent or
- * no length. */
+/* Gives the attribute as a length in px (em: 16, ex: 8); `share_of` is what 100 % stand for; `otherwise` where it is
+ * absent or no length. */
 double plb_node_length(const xmlNode *n, const char *name, double share_of, double otherwise);
 
-/* The next element in document order within `top`; NULL at the end. */
+/* Gives the next element in document order within `top`; NULL at the end. */
 xmlNode *plb_node_next(const xmlNode *n, const xmlNode *top);
-/* A new element of SVG's namespace as that of `like`, not yet in the document. */
+/* Makes an element of SVG's namespace as that of `like`, not yet in the document. */
 xmlNode *plb_node_new(const xmlNode *like, const char *name);
 /* Puts a new group in the place of `n` and `n` into the group. */
 xmlNode *plb_node_wrap(xmlNode *n);
 /* Takes `n` out of the document and frees it. */
 void plb_node_drop(xmlNode *n);
-/* The element that `href` or `url(#...)` in `text` refers to; NULL: none. `ids`: of plb_node_ids. */
+/* Gives the element that `href` or `url(#...)` in `text` refers to; NULL: none. `ids`: of plb_node_ids. */
 xmlNode *plb_node_referred(GHashTable *ids, const char *text);
-/* A table from ids to elements, the first of each; freed with g_hash_table_destroy. Borrows the document. */
+/* Makes a table from ids to elements, the first of each; freed with g_hash_table_destroy. Borrows the document. */
 GHashTable *plb_node_ids(xmlDoc *doc);
 /* Gives `n` an id of its own unless it has one, and returns the id. */
 char *plb_node_name(xmlNode *n, GHashTable *ids, const char *stem);
 
-/* The transformation that a `transform` attribute's text says, CSS's spelling or SVG's; identity where `text` is NULL;
- * false when the text is not well-formed. */
+/* Reads the transformation that a `transform` attribute's text says, in CSS's spelling or SVG's; identity where `text`
+ * is NULL; false when the text is not well-formed. */
 bool plb_node_transform(const char *text, matrix *m);
-/* "matrix(a b c d e f)". */
+/* Writes "matrix(a b c d e f)". */
 char *plb_node_matrix_text(matrix m);
 
 #endif

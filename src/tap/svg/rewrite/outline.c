@@ -32,7 +32,7 @@ static void quadratic_to(pen *p, point a, point to)
 
 static point mirrored(point about, point p) { return (point){2 * about.x - p.x, 2 * about.y - p.y}; }
 
-/* An elliptical arc by its ends (SVG 1.1, F.6.5 and F.6.6). */
+/* Draws an elliptical arc by its ends (SVG 1.1, F.6.5 and F.6.6). */
 static void arc_to(pen *p, const double v[7])
 {
     point to = {v[5], v[6]};
@@ -155,7 +155,7 @@ static void add_points(path *out, const xmlNode *n, bool closed)
     g_free(points);
 }
 
-/* Corners are taken square: for boxes and lengths of dashes that is near enough. */
+/* Adds a rectangle with square corners, which are near enough for boxes and lengths of dashes. */
 static void add_rectangle(path *out, const xmlNode *n, box view)
 {
     double x = plb_node_length(n, "x", view.x1, 0), y = plb_node_length(n, "y", view.y1, 0);
@@ -305,8 +305,8 @@ box plb_outline_viewport(const xmlNode *n)
     return view;
 }
 
-/* What an svg element's viewBox does: the middle of the box on the middle of the viewport, the smaller scale for both
- * directions, as preserveAspectRatio is where nothing is said. */
+/* Maps an svg element's viewBox: the middle of the box on the middle of the viewport, the smaller scale for both
+ * directions, the default of preserveAspectRatio. */
 static matrix map_of_view_box(const xmlNode *n)
 {
     box view;

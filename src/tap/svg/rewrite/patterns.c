@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Patterns: tiles are laid out one by one within the shape that they fill, so that the pencil draws their lines and dots
- * (SVG 2, section 14.3). What would take too many tiles, and what is no shape, gets the pattern's mean colour.
+ * Lays out the tiles of patterns one at a time within the shape that they fill, so that the pencil draws their lines
+ * and dots (SVG 2, section 14.3). Shapes that would take too many tiles, and elements that are no shapes, get the
+ * pattern's mean colour.
  */
 #include "tap/svg/rewrite/outline.h"
 #include "tap/svg/rewrite/render.h"
@@ -15,7 +16,7 @@
 #define MAX_TEMPLATES 16     /* a pattern refers to a pattern that refers to ... */
 #define BEYOND 0.01          /* a part of the tile: content that reaches farther out is cut at the tile's edge */
 
-/* A pattern with what the patterns it refers to say for it, for one shape. */
+/* A tiling is a pattern with all that the patterns it refers to say for it, for one shape. */
 typedef struct {
     const xmlNode *content;
     double x, y, width, height; /* of the first tile, in pattern space */
@@ -27,7 +28,7 @@ typedef struct {
 
 /* ---- what the pattern says ---------------------------------------------------------------------------------- */
 
-/* The pattern, or the first that it refers to, with that attribute (or with children: `name` NULL); NULL: none. */
+/* Gives the pattern, or the first that it refers to, with that attribute (or with children: `name` NULL); NULL: none. */
 static const xmlNode *find_saying(rewriting *r, const xmlNode *pattern, const char *name)
 {
     for (int i = 0; pattern && plb_node_is(pattern, "pattern") && i < MAX_TEMPLATES; i++) {
@@ -63,7 +64,7 @@ static bool says(rewriting *r, const xmlNode *pattern, const char *name, const c
     return same;
 }
 
-/* The content's map by a viewBox, fitted into the tile and centred; false: there is no viewBox. */
+/* Maps the content by a viewBox, fitted into the tile and centred; false: there is no viewBox. */
 static bool map_view_box(rewriting *r, const xmlNode *pattern, tiling *t)
 {
     char *text = attribute(r, pattern, "viewBox"), *at = text;
@@ -105,7 +106,7 @@ static bool read_tiling(rewriting *r, const xmlNode *pattern, box b, tiling *t)
     return true;
 }
 
-/* Lines and shapes can be laid out; of pictures, gradients and text only the tone counts. */
+/* Tells whether the content can be laid out: lines and shapes can; of pictures, gradients and text only the tone counts. */
 static bool is_drawable(rewriting *r, const tiling *t)
 {
     static const char *const known[] = {"g", "path", "rect", "circle", "ellipse", "line", "polyline", "polygon", "title", "desc", NULL};
@@ -121,7 +122,7 @@ static bool is_drawable(rewriting *r, const tiling *t)
 
 /* ---- laying out --------------------------------------------------------------------------------------------- */
 
-/* The box of the shape in pattern space. */
+/* Gives the box of the shape in pattern space. */
 static bool range_of(const tiling *t, box b, int first[2], int last[2])
 {
     matrix back;
@@ -143,7 +144,7 @@ static bool range_of(const tiling *t, box b, int first[2], int last[2])
     return true;
 }
 
-/* A clip path of the tile's own rectangle about its corner. */
+/* Makes a clip path of the tile's own rectangle about its corner. */
 static char *clip_of_tile(rewriting *r, xmlNode *before, const tiling *t)
 {
     xmlNode *clip = plb_node_new(before, "clipPath"), *rect = plb_node_new(before, "rect");
@@ -162,7 +163,7 @@ static bool reaches_out(const tiling *t)
     return !plb_box_is_empty(t->bounds) && (t->bounds.x0 < -dx || t->bounds.y0 < -dy || t->bounds.x1 > t->width + dx || t->bounds.y1 > t->height + dy);
 }
 
-/* One tile: a group at its corner, with the pattern's content. */
+/* Makes one tile: a group at its corner, with the pattern's content. */
 static void add_tile(xmlNode *group, const tiling *t, int i, int j, const char *clip)
 {
     xmlNode *tile = plb_node_new(group, "g"), *inner = plb_node_new(group, "g");
@@ -183,7 +184,7 @@ static void add_tile(xmlNode *group, const tiling *t, int i, int j, const char *
     g_free(map);
 }
 
-/* A clip path of the shape itself. */
+/* Makes a clip path of the shape itself. */
 static char *clip_of_shape(rewriting *r, xmlNode *shape)
 {
     static const char *const dropped[] = {"id", "transform", "fill", "stroke", "opacity", "mask", "filter", "clip-path", "class"};
@@ -202,7 +203,7 @@ static char *clip_of_shape(rewriting *r, xmlNode *shape)
     return reference;
 }
 
-/* The tiles under the shape's own outline. */
+/* Lays the tiles under the shape's own outline. */
 static void lay_out(rewriting *r, xmlNode *shape, const tiling *t, const int first[2], const int last[2])
 {
     char *alpha = plb_css_inherited(r->sheet, shape, "fill-opacity"), *map = plb_node_matrix_text(t->transform);
@@ -234,7 +235,7 @@ static void lay_out(rewriting *r, xmlNode *shape, const tiling *t, const int fir
 
 /* ---- mean tones --------------------------------------------------------------------------------------------- */
 
-/* The mean colour that the pattern has in a box, as a paint; NULL: not known. */
+/* Gives the mean colour that the pattern has in a box, as a paint; NULL: not known. */
 static char *mean_paint(rewriting *r, const xmlNode *pattern, box b)
 {
     char *id = plb_node_get(pattern, "id"), *reference = g_strdup_printf("url(#%s)", id ? id : ""), *paint = NULL;

@@ -8,8 +8,8 @@
 #define MAX_RENDERS 200    /* each parses the whole document again */
 #define MAX_RENDER_BYTES (4u << 20) /* of the document; larger ones would take seconds */
 
-/* A document of its own: the definitions of `r` and room for what is to be looked at. The caller frees it with
- * xmlFreeDoc. */
+/* Makes a document of its own: the definitions of `r` and an empty view for what is to be looked at. The caller frees
+ * it with xmlFreeDoc. */
 static xmlDoc *start_document(rewriting *r, xmlNode **root)
 {
     const xmlNode *old = xmlDocGetRootElement(r->doc);
@@ -40,8 +40,7 @@ static guint32 pixel_at(const cairo_surface_t *image, int x, int y)
     return pixel;
 }
 
-/* The mean colour of an image's pixels, of those that are mostly covered in `where` (NULL: of all); their share of the
- * raster. */
+/* Gives the mean colour of an image's pixels, of those that are mostly covered in `where` (NULL: of all), and their share of the raster. */
 static double average(const cairo_surface_t *image, const cairo_surface_t *where, double mean[4])
 {
     double sum[4] = {0}, n = 0;
@@ -60,7 +59,7 @@ static double average(const cairo_surface_t *image, const cairo_surface_t *where
     return n / RASTER / RASTER;
 }
 
-/* The document, squeezed into the raster; NULL: librsvg refused. The caller destroys the result. */
+/* Renders the document, squeezed into the raster; NULL: librsvg refused. The caller destroys the result. */
 static cairo_surface_t *rasterize(xmlDoc *doc)
 {
     RsvgHandle *svg = load(doc);
@@ -112,7 +111,7 @@ bool plb_render_mean(rewriting *r, const xmlNode *content, box view, double mean
     return image != NULL;
 }
 
-/* A copy of `n` with what it inherits, alone in a document. */
+/* Copies `n` with what it inherits, alone in a document. */
 static xmlNode *show_alone(rewriting *r, const xmlNode *n, xmlNode *root)
 {
     static const char *const inherited[] = {"fill", "stroke", "stroke-width", "fill-opacity", "stroke-opacity", "font-family", "font-size",
@@ -150,7 +149,7 @@ bool plb_render_filtered(rewriting *r, const xmlNode *n, box view, double withou
     return known;
 }
 
-/* Properties of text, as they hold for `like`, for a text element in another document. */
+/* Gives a text element in another document the properties of text that `like` has. */
 static void copy_style(rewriting *r, const xmlNode *like, xmlNode *to)
 {
     static const char *const properties[] = {"font-family", "font-size", "font-style", "font-variant", "font-weight", "font-stretch",
@@ -163,7 +162,7 @@ static void copy_style(rewriting *r, const xmlNode *like, xmlNode *to)
     }
 }
 
-/* A text element with an id of its own for each number. */
+/* Makes a text element with an id of its own for each number. */
 static void add_prefix(rewriting *r, xmlNode *root, const xmlNode *like, size_t number, const char *text)
 {
     char *id = g_strdup_printf("t%zu", number);
@@ -184,7 +183,7 @@ static bool width_of(RsvgHandle *svg, size_t number, double *width)
     return done;
 }
 
-/* Each beginning of the text is set with a stop behind it, since blanks at the end have no width of their own. */
+/* Sets each beginning of the text with a stop behind it, since blanks at the end have no width of their own. */
 bool plb_render_advances(rewriting *r, const xmlNode *like, const char *text, size_t n, double *ends)
 {
     if (r->renders++ >= MAX_RENDERS)

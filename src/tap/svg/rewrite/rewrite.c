@@ -7,7 +7,7 @@
 #include <libxml/parser.h>
 #include <string.h>
 
-/* Whether an attribute among `tag`[0..size) holds more than one number: " x=" and the like, with blanks or commas inside. */
+/* Tells whether an attribute among `tag`[0..size) holds more than one number: " x=" and the like, with blanks or commas inside. */
 static bool has_list(const char *tag, size_t size)
 {
     static const char *const names[] = {" x=", " y=", " dx=", " dy="};
@@ -22,7 +22,7 @@ static bool has_list(const char *tag, size_t size)
     return false;
 }
 
-/* Whether a tag that starts with `start` has what `test` asks for. */
+/* Tells whether a tag that starts with `start` has what `test` asks for. */
 static bool any_tag(const char *text, size_t size, const char *start, bool (*test)(const char *tag, size_t size))
 {
     const char *end = text + size;
@@ -52,7 +52,7 @@ bool plb_rewrite_is_due(const char *text, size_t size)
     return any_tag(text, size, "<clipPath", has_clip) || any_tag(text, size, "<text", has_list) || any_tag(text, size, "<tspan", has_list);
 }
 
-/* The name that <?xml-stylesheet href="..."?> gives, unless the sheet lies in the document. */
+/* Gives the name that <?xml-stylesheet href="..."?> has, unless the sheet lies in the document. */
 static char *find_style_sheet(const xmlDoc *doc)
 {
     for (const xmlNode *n = doc->children; n; n = n->next) {

@@ -17,9 +17,9 @@ typedef struct {
     char *style_sheet;      /* the name of a style sheet in a file of its own, which is not read; NULL: none */
 } rewrite_report;
 
-/* Whether the document, as text, holds anything for the steps: a search for words. */
+/* Tells whether the document, as text, holds anything for the steps: a search for words. */
 bool plb_rewrite_is_due(const char *text, size_t size);
-/* The rewritten document; NULL where there was nothing to rewrite, or it is not well-formed (librsvg says so better). */
+/* Gives the rewritten document; NULL where there was nothing to rewrite, or the document is not well-formed (librsvg says so better). */
 GByteArray *plb_rewrite(const char *text, size_t size, rewrite_report *report);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The steps that rewrite a document into one that librsvg 2.54 draws right. Each takes the document as the step before
- * left it.
+ * Declares the steps that rewrite a document into one that librsvg 2.54 draws right. Each takes the document that the
+ * step before left.
  */
 #ifndef PLB_TAP_SVG_REWRITE_STEPS_H
 #define PLB_TAP_SVG_REWRITE_STEPS_H
@@ -10,7 +10,7 @@
 #include "tap/svg/rewrite/node.h"
 #include "tap/svg/rewrite/rewrite.h"
 
-/* What the steps share. */
+/* The steps share this state. */
 typedef struct {
     xmlDoc *doc;
     css_sheet *sheet;
@@ -20,27 +20,27 @@ typedef struct {
     bool changed;     /* a step has changed the document */
 } rewriting;
 
-/* values.c: var(), modern colours and the property d become what librsvg knows, in the style attribute of each element. */
+/* values.c turns var(), modern colours and the property d into what librsvg knows, in the style attribute of each element. */
 void plb_rewrite_values(rewriting *r);
-/* labels.c: what a switch shows; HTML in foreignObject becomes a line of text; the notice that text is not SVG goes. */
+/* labels.c decides what a switch shows; HTML in foreignObject becomes a line of text; the notice that text is not SVG goes. */
 void plb_rewrite_labels(rewriting *r);
 /* Puts `n` into a new group that takes over its transformation, and the other properties that act on all of it when `whole`:
  * so the group's user space is that of the element, and nothing acts twice. */
 xmlNode *plb_rewrite_wrap(rewriting *r, xmlNode *n, bool whole);
 
-/* images.c: images that are SVG become nested drawings. */
+/* images.c turns images that are SVG into nested drawings. */
 void plb_rewrite_images(rewriting *r);
-/* text.c: lists of places, text on a path, text of a given length. */
+/* text.c places text one character at a time: lists of places, text on a path, text of a given length. */
 void plb_rewrite_text(rewriting *r);
-/* transforms.c: transform-origin and transform-box. */
+/* transforms.c resolves transform-origin and transform-box. */
 void plb_rewrite_transforms(rewriting *r);
-/* strokes.c: non-scaling strokes, and dashes by pathLength. */
+/* strokes.c keeps the width of non-scaling strokes, and scales dashes by pathLength. */
 void plb_rewrite_strokes(rewriting *r);
-/* filters.c: what a filter does to an element's colour. */
+/* filters.c gives an element the colour that its filter makes. */
 void plb_rewrite_filters(rewriting *r);
-/* patterns.c: tiles of lines and dots are laid out. */
+/* patterns.c lays out tiles of lines and dots. */
 void plb_rewrite_patterns(rewriting *r);
-/* masks.c: masks of black and white, and clip paths that are clipped themselves. */
+/* masks.c turns masks of black and white, and clip paths that are clipped themselves, into plain clip paths. */
 void plb_rewrite_masks(rewriting *r);
 
 #endif

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Strokes: widths that do not scale with the drawing (SVG 2, vector-effect), and dashes in units of pathLength (SVG 2,
- * section 9.6).
+ * Rewrites strokes: widths that do not scale with the drawing (SVG 2, vector-effect), and dashes in units of pathLength
+ * (SVG 2, section 9.6).
  */
 #include "tap/svg/rewrite/outline.h"
 #include "tap/svg/rewrite/steps.h"
@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Each number of a list times `factor`; percentages and what is no number stay. */
+/* Multiplies each number of a list by `factor`; percentages and words stay. */
 static char *scaled_list(const char *text, double factor)
 {
     GString *out = g_string_new(NULL);
@@ -40,7 +40,7 @@ static void scale_property(rewriting *r, xmlNode *n, const char *property, const
     g_free(text);
 }
 
-/* The pen shall have its width on the page: it is made narrower by as much as the user space grows. */
+/* Makes the pen narrower by as much as the user space grows, so that the pen has its width on the page. */
 static void keep_width(rewriting *r, xmlNode *n)
 {
     double grows = plb_matrix_expansion(plb_outline_to_root(n, true));

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Text whose characters are placed one by one (SVG 2, chapter 11): lists of places, turned characters, a given length, text
- * on a path. The element becomes a group of texts, each at the place where it belongs.
+ * Places text whose characters have places of their own (SVG 2, chapter 11): lists of places, turned characters, a
+ * given length, text on a path. The element becomes a group of texts, each at the place where it belongs.
  */
 #include "tap/svg/rewrite/text.h"
 
@@ -10,7 +10,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The points of the path that a textPath names, and their distance from its start. */
+/* A guide holds the points of the path that a textPath names, and their distance from its start. */
 typedef struct {
     point *at;
     bool *jump;
@@ -20,7 +20,7 @@ typedef struct {
 
 /* ---- new elements ------------------------------------------------------------------------------------------- */
 
-/* What holds for `source` is said by the new element itself, wherever in the document it stands. */
+/* Copies what holds for `source` into the new element, wherever in the document it stands. */
 static void copy_style(rewriting *r, const xmlNode *source, xmlNode *to)
 {
     static const char *const properties[] = {"font-family", "font-size", "font-style", "font-variant", "font-weight", "font-stretch",
@@ -35,7 +35,7 @@ static void copy_style(rewriting *r, const xmlNode *source, xmlNode *to)
     plb_css_set(to, "text-anchor", "start");
 }
 
-/* A text with its start on the origin of `map`. */
+/* Makes a text with its start on the origin of `map`. */
 static void emit(rewriting *r, xmlNode *group, const xmlNode *source, const char *text, matrix map)
 {
     xmlNode *made = plb_node_new(group, "text");
@@ -77,7 +77,7 @@ static bool find_guide(rewriting *r, const xmlNode *on_path, guide *g)
     return g->length > 0;
 }
 
-/* The place `s` px along the guide, and the direction there in degrees; false: beyond an end. */
+/* Gives the place `s` px along the guide, and the direction there in degrees; false: beyond an end. */
 static bool place_on(const guide *g, double s, point *at, double *degrees)
 {
     for (size_t i = 1; i < g->n && s >= 0; i++) {
@@ -100,7 +100,7 @@ static double anchor_share(rewriting *r, const xmlNode *n)
     return share;
 }
 
-/* The characters from..to, which stand on one path, each with its middle on the path. */
+/* Places the characters from..to, which stand on one path, each with its middle on the path. */
 static bool set_on_path(rewriting *r, xmlNode *group, const text_line *line, size_t from, size_t to)
 {
     guide g = {0};
@@ -129,7 +129,7 @@ static bool set_on_path(rewriting *r, xmlNode *group, const text_line *line, siz
 
 /* ---- in lines ----------------------------------------------------------------------------------------------- */
 
-/* A given length is shared out between the characters, or all are stretched: the factor, and what is added to each advance. */
+/* Shares a given length out between the characters, or stretches all: gives the factor, and what is added to each advance. */
 static double fit_length(const xmlNode *text, const text_line *line, double *added)
 {
     double natural = 0, asked = plb_node_length(text, "textLength", 0, 0);
@@ -142,7 +142,7 @@ static double fit_length(const xmlNode *text, const text_line *line, double *add
     return asked > 0 && stretches && natural > 0 ? asked / natural : 1;
 }
 
-/* The first character behind `from` that starts a chunk of its own. */
+/* Gives the first character behind `from` that starts a chunk of its own. */
 static size_t end_of_chunk(const text_line *line, size_t from, size_t to)
 {
     size_t end = from + 1;
@@ -151,7 +151,7 @@ static size_t end_of_chunk(const text_line *line, size_t from, size_t to)
     return end;
 }
 
-/* Characters that follow each other without a word about their place are set together. */
+/* Gives the end of the characters that are set together, because the document says nothing about their places. */
 static size_t end_of_run(const text_line *line, size_t from, size_t to, double added)
 {
     size_t end = from + 1;
@@ -161,7 +161,7 @@ static size_t end_of_run(const text_line *line, size_t from, size_t to, double a
     return end;
 }
 
-/* One chunk, from the pen's place on, which moves. */
+/* Places one chunk, from the pen's place on, which moves. */
 static void set_chunk(rewriting *r, xmlNode *group, const text_line *line, size_t from, size_t to, point *pen, double stretch, double added)
 {
     double width = 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * A text element character by character: where each comes from, what its attributes say of its place, how wide it is.
- * text_read.c fills it, text.c places the characters.
+ * Describes a text element character by character: where each comes from, what its attributes say of its place, how
+ * wide it is. text_read.c fills the description, text.c places the characters.
  */
 #ifndef PLB_TAP_SVG_REWRITE_TEXT_H
 #define PLB_TAP_SVG_REWRITE_TEXT_H

@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The numbers of one attribute, for the characters of one element. */
+/* A number_list holds the numbers of one attribute for the characters of one element. */
 typedef struct {
     double *v;
     size_t n;
@@ -15,7 +15,7 @@ typedef struct {
 enum { LIST_X, LIST_Y, LIST_DX, LIST_DY, LIST_ROTATE, LISTS };
 static const char *const list_names[LISTS] = {"x", "y", "dx", "dy", "rotate"};
 
-/* An element on the way down, and how many characters it has had. */
+/* A level is an element on the way down, with the count of its characters so far. */
 typedef struct level {
     xmlNode *n;
     const struct level *outer;
@@ -44,7 +44,7 @@ static number_list read_list(const xmlNode *n, const char *name)
     return list;
 }
 
-/* What the innermost element that speaks of this character says; NAN: nobody does. Of rotate the last number goes on. */
+/* Gives what the innermost element that speaks of this character says; NAN: nobody does. Of rotate the last number goes on. */
 static double said_for(const level *l, int which)
 {
     for (; l; l = l->outer) {
@@ -88,7 +88,7 @@ static bool add_character(text_line *line, GArray *all, const level *l, const ch
     return all->len <= TEXT_MAX_CHARACTERS && !is_from_right(c);
 }
 
-/* The text of one node; blanks run together with those before. */
+/* Reads the text of one node; blanks run together with those before. */
 static bool add_text(text_line *line, GArray *all, const level *l, const char *text, bool preserve)
 {
     if (!g_utf8_validate(text, -1, NULL))

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * The origin of transformations (CSS Transforms 1, sections 6 and 7): a transform about another point becomes one about the
- * user space's own origin.
+ * Moves the origin of transformations (CSS Transforms 1, sections 6 and 7): a transform about another point becomes one
+ * about the user space's own origin.
  */
 #include "tap/svg/rewrite/outline.h"
 #include "tap/svg/rewrite/steps.h"
 
 #include <string.h>
 
-/* One coordinate of an origin: a keyword, a share of the box's extent, or a length. */
+/* Reads one coordinate of an origin: a keyword, a share of the box's extent, or a length. */
 static double place_of(const char *word, double extent)
 {
     if (!strcmp(word, "left") || !strcmp(word, "top"))
@@ -24,7 +24,7 @@ static double place_of(const char *word, double extent)
 
 static bool is_vertical(const char *word) { return !strcmp(word, "top") || !strcmp(word, "bottom"); }
 
-/* Where `origin` lies in the reference box; the second word is the middle where it is not said. */
+/* Gives the place of `origin` in the reference box; a second word that is missing means the middle. */
 static point find_origin(const char *origin, box b)
 {
     char **words = g_strsplit_set(origin, " \t\r\n", 3);

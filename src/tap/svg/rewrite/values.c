@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Values: var() of custom properties (CSS Variables 1), colours newer than librsvg, and the property d. For each element
- * the declaration that wins is worked out, and its value stands in the style attribute, where nothing else wins over it.
+ * Computes values: var() of custom properties (CSS Variables 1), colours newer than librsvg, and the property d. For
+ * each element the step finds the declaration that wins and puts its value into the style attribute, where nothing else
+ * wins over it.
  */
 #include "tap/svg/rewrite/steps.h"
 
@@ -12,7 +13,7 @@
 #define MAX_VALUE 65536 /* bytes of a value after substitution: custom properties can double each other */
 #define MAX_NESTING 32
 
-/* The custom properties that an element sees: its own, then its ancestors'. */
+/* The custom properties that an element sees are its own, then its ancestors'. */
 typedef struct scope {
     GHashTable *own; /* all its declarations */
     const struct scope *outer;
@@ -30,7 +31,7 @@ static const char *look_up(const scope *s, const char *name)
 
 static bool substitute(const scope *s, const char *value, int depth, GString *out);
 
-/* What stands between the brackets of one var(): a name, and behind a comma what serves without it. */
+/* Adds the value of one var(), whose brackets hold a name and, behind a comma, what serves without it. */
 static bool substitute_one(const scope *s, const char *inside, int depth, GString *out)
 {
     const char *comma = strchr(inside, ',');
@@ -63,7 +64,7 @@ static bool substitute(const scope *s, const char *value, int depth, GString *ou
     return out->len < MAX_VALUE;
 }
 
-/* "path('M0 0')" without its wrapping, into the attribute d. */
+/* Takes the wrapping off "path('M0 0')" and puts the data into the attribute d. */
 static void set_path(xmlNode *n, const char *value)
 {
     const char *open = strpbrk(value, "'\""), *close = open ? strrchr(value, *open) : NULL;
@@ -75,8 +76,8 @@ static void set_path(xmlNode *n, const char *value)
     g_free(data);
 }
 
-/* One declaration of an element, where librsvg would not understand it. A value that cannot be computed is as if it was not
- * said: the parent's. */
+/* Rewrites one declaration of an element, where librsvg would not understand it. A value that cannot be computed counts
+ * as absent: the parent's holds. */
 static void rewrite_value(rewriting *r, xmlNode *n, const scope *s, const char *property, const char *value)
 {
     bool has_var = strstr(value, "var(") != NULL;
