@@ -69,7 +69,7 @@ examples_c = $(wildcard examples/*.c)
 examples_cpp = $(wildcard examples/*.cpp)
 CXX     = g++
 
-# SOVERSION grows when programs must be compiled anew. Sanitizers leave names to be found in the program.
+# SOVERSION grows when programs must be compiled again. Sanitizers leave names to be found in the program.
 SOVERSION = 0
 shared = libplumbago.so.$(VERSION)
 whole_release = -Wl,-z,defs
@@ -127,7 +127,7 @@ $(O)/$(shared): $(lib_obj) $(O)/pencils.o $(O)/exports.map
 	    $(filter-out -pie,$(LDFLAGS_ALL)) $(filter %.o,$^) $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
 	$(Q)ln -sf $(shared) $(O)/libplumbago.so.$(SOVERSION) && ln -sf libplumbago.so.$(SOVERSION) $(O)/libplumbago.so
 
-# What the programs share, in folders.
+# The programs share these files, in folders.
 tool_parts = $(patsubst src/%.c,$(O)/%.o,$(call below,src/tool/options,*.c) $(call below,src/tool/command,*.c))
 $(O)/plumbago: $(O)/tool/plumbago.o $(tool_parts) $(O)/libplumbago.a
 $(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(tool_parts) $(O)/libplumbago.a
@@ -203,7 +203,7 @@ tests: all $(tests_bin) examples
 check-only: tests
 	$(Q)tests/run -j $(JOBS) $(O) $(TESTS)
 
-# What takes longer than one likes to wait. LOAD=N: how many drawings are made while make is killed.
+# These tests take longer than one likes to wait. LOAD=N: how many drawings are made while make is killed.
 .PHONY: check-long check-sanitizers
 check-long:
 	+$(Q)$(MAKE) --no-print-directory check-only TESTS="$(wildcard tests/long/*.sh) tests/lint/run.sh"

@@ -46,7 +46,7 @@ judge() {
     rm -f ../out.png
 }
 
-# What may be opened: the system's libraries, fonts and settings, Ghostscript's own, the programs themselves.
+# These files may be opened: the system's libraries, fonts and settings, Ghostscript's own, the programs themselves.
 allowed='^(/lib|/lib64|/usr/lib|/usr/local/lib|/usr/local/share|/usr/share/(matplotlib|fonts|fontconfig|X11|locale|mime|glib-2.0|icu|zoneinfo|ghostscript|poppler|color|xml|icons|themes)|/usr/local/share/fonts|/etc/(matplotlibrc|ld\.so|fonts|ghostscript|paper|localtime|locale|pango|nsswitch|passwd|xml|ssl)|/var/(cache/fontconfig|lib/ghostscript)|/proc/(self|meminfo|cpuinfo|sys|filesystems|[0-9]+/)|/sys/|/dev/(null|urandom|random|tty|shm)|/usr/bin/|/bin/)'
 # The calls of ../trace, each with its result: one that another process's call interrupted stands in two parts. Those of the
 # first process are the measuring program's.
@@ -58,7 +58,7 @@ calls() {
         { print }
         END { for (p in begun) print begun[p] " = -1 killed in it" }' ../trace
 }
-# What the run in ../trace has opened with success, besides that and its own input, output and temporary files.
+# Lists the files that the run in ../trace has opened with success, besides that and its own input, output and temporary files.
 judge_trace() { # NAME INPUT
     local opened
     opened=$(calls | grep -v ' = -1 \|O_PATH' | grep -oE '"[^"]+"' | tr -d '"' | sort -u |

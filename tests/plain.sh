@@ -165,7 +165,7 @@ if dying/plumbago --dump=strokes -o - plain.svg 2>said | cmp -s - with.out && [ 
 { echo "$page<path "; seq 300000 | sed 's/.*/a&="1"/'; echo '/></svg>'; } >slow.svg
 refuses "no time" 'tap-plain needs more than 1 seconds' --limit-time 1 slow.svg
 
-# What may be plain and what may not, in all drawings at hand.
+# Tells which of the drawings may be plain and which may not.
 taken=0 left=0
 compare_all() {
     local file

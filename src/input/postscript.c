@@ -24,7 +24,7 @@ typedef struct {
     bool alone;
 } manner;
 
-/* What the tap says of a file that it leaves to Ghostscript. */
+/* A handover holds what the tap says of a file that it leaves to Ghostscript. */
 typedef struct {
     gs_page page;
     input_source program; /* the file without headers */

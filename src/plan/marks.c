@@ -67,7 +67,7 @@ static bool is_outlined_by(const item *fill, const item *other)
     return fill->kind == ITEM_FILL && other->kind == ITEM_STROKE && plb_leaves_mark(other) && plb_path_equal(&fill->path, &other->path);
 }
 
-/* Whether the stroke that follows a fill's outline has another tone than the fill: a bar or a facet with an edge, no letter. */
+/* Tells whether the stroke that follows a fill's outline has another tone than the fill: a bar or a facet with an edge, no letter. */
 static bool is_edge(const item *fill, const item *outline)
 {
     return fabs(plb_paint_lightness(outline->paint) - plb_paint_lightness(fill->paint)) > EDGE_CONTRAST;

@@ -131,7 +131,7 @@ static bool draw_items(planner *p)
 
 /* ---- all strokes together ---- */
 
-/* Scraps that nothing went on from. */
+/* Drops scraps that nothing went on from. */
 static void drop_short_strokes(stroke_list *out)
 {
     size_t kept = 0;

@@ -9,14 +9,14 @@
 #include "list/display_list.h"
 #include "list/stroke_list.h"
 
-/* The most strokes and points that a plan may hold; beyond: ERROR_LIMIT. */
+/* A plan holds at most so many strokes and points; beyond: ERROR_LIMIT. */
 #define PLAN_MAX_STROKES 5000000u
 #define PLAN_MAX_POINTS 60000000u
 
 typedef enum { FILL_HATCH, FILL_OUTLINE, FILL_NONE } fill_style;
 typedef enum { TEXT_HAND, TEXT_OUTLINE, TEXT_NONE } text_style;
-/* How dark a pencil's hatching comes out: the mean darkness (0 paper, 1 black) of an area hatched with each of
- * TONE_STEPS efforts, evenly from the faintest to the darkest; rising (hatch_tone.c). */
+/* A tone_scale says how dark a pencil's hatching comes out: the mean darkness (0 paper, 1 black) of an area hatched
+ * with each of TONE_STEPS efforts, evenly from the faintest to the darkest; rising (hatch_tone.c). */
 #define TONE_STEPS 6
 #define TONE_FAINTEST 0.1 /* a darkness that is hatched whatever the scale */
 typedef struct {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What can go wrong with files, and what then must not happen: no output is touched, and one line says why.
+# Files can go wrong in many ways, and in each no output is touched, and one line says why.
 . "$ROOT/tests/check.sh"
 example a.svg
 echo keep >kept.png
@@ -20,7 +20,7 @@ echo "Dear reader, this is a letter." >letter.txt
 refuses "a text" "letter\.txt" letter.txt
 cp "$BUILD_DIR/plumbago" program && refuses "a program" "program" program
 rm program
-# What users take for drawings is named, with what helps.
+# The message names what users take for a drawing, and tells what helps.
 named() { # NAME PATTERN BYTES
     printf '%b' "$3" >picture
     refuses "$1" "picture: this is $2" picture

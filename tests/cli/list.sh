@@ -34,7 +34,7 @@ fi
 "$PLUMBAGO" -q -d 100 -o second.png gradients.list
 same "the picture of a dump is the picture" first.png second.png
 
-# What was left out is said again, and once.
+# Omissions in a list are told again, and once.
 printf '%s\n' '<svg xmlns="http://www.w3.org/2000/svg" width="99" height="99"><path d="M9 9h50" stroke="black"/><path d="M900 9h50" stroke="black"/><image width="9" height="9"/></svg>' >lost.svg
 plumbago -v --dump=list lost.svg && cp "$TMP/out" lost.list
 lost() { grep -E 'left out' "$TMP/err" | sed 's/lost\.[a-z]*//'; }

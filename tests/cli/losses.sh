@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What a drawing holds and the pencil does not draw is counted, by kind, as it is seen: one warning for each file, and with -v
+# The program counts what a drawing holds and the pencil does not draw, by kind, as it is seen: one warning for each file, and with -v
 # a line for each kind.
 . "$ROOT/tests/check.sh"
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What is written: PDF at its true size, threads that change nothing, smaller and larger files of the same picture.
+# The pictures are right: PDF at its true size, threads that change nothing, smaller and larger files of the same picture.
 . "$ROOT/tests/check.sh"
 example a.svg
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What the pencil draws on.
+# The pencil draws on paper of each kind.
 . "$ROOT/tests/check.sh"
 example a.svg
 

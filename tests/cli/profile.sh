@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # plumbago-profile: the reports, a reader of the format that is not ours, files made to be wrong, the command line, and
-# one of the eight pencils captured anew (LONG=1: all).
+# one of the eight pencils captured again (LONG=1: all).
 . "$ROOT/tests/check.sh"
 # Under AddressSanitizer: the fonts of a plot's labels stay in fontconfig's own cache.
 echo leak:libfontconfig >"$TMP/leaks"
@@ -223,7 +223,7 @@ case $BUILD_DIR in
     done
     ;;
 esac
-# What the measuring script of the evidence found for this line: centre 175, 6.5 px at half depth, 730 columns.
+# The measuring script of the evidence found for this line: centre 175, 6.5 px at half depth, 730 columns.
 line=$scans/line_ex03_w0054_h_x0480_y1141.png
 does "capture of a real line" capture "$line" -o one.pencil --name 'one line' --provenance 'a test'
 "$PLUMBAGO_PROFILE" show one.pencil >"$TMP/out"

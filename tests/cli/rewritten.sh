@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What is newer than librsvg, or would be drawn as pixels, is rewritten before librsvg sees it: each drawing here comes to the
+# SVG that is newer than librsvg, or would be drawn as pixels, is rewritten before librsvg sees it: each drawing here comes to the
 # same display list as one that says the same in old words.
 . "$ROOT/tests/check.sh"
 

@@ -43,7 +43,7 @@ if [ $? -eq 125 ]; then
     skip "without O_TMPFILE" "this kernel cannot be told to refuse it"
     exit
 fi
-# What has the name for temporary files, in this folder, waited for.
+# Waits for files in this folder that have the name of temporary files.
 temporary() { local n; for n in {1..600}; do [ -n "$(find . -name '.plumbago-*')" ] && return; kill -0 $pid 2>/dev/null || break; sleep .1; done; false; }
 gone() { local n; for n in {1..100}; do [ -z "$(find . -name '.plumbago-*')" ] && return; sleep .1; done; false; }
 sed -i '2000,19999d' long.svg

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the fuzzers' build allows a PostScript program: many short runs find more than few long ones. Each limit can still
+ * Limits a PostScript program in the fuzzers' build: many short runs find more than few long ones. Each limit can still
  * be met, by a program of a few lines.
  */
 #define PS_MAX_STEPS 20000u

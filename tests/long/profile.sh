@@ -1,3 +1,3 @@
 # SPDX-License-Identifier: MIT
-# All eight pencils, captured anew from their scans, are those of the library.
+# All eight pencils, captured again from their scans, are those of the library.
 LONG=1 . "$ROOT/tests/cli/profile.sh"

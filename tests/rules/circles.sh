@@ -14,7 +14,7 @@ uses() {
         END { for (i = 1; i <= n; i++) if (symbol[i] in home && home[symbol[i]] != user[i]) print home[symbol[i]], symbol[i], user[i] }'
 }
 
-# What is left of those uses when objects that call none, or that none calls, have been taken away again and again: the circles
+# The rest of those uses when objects that call none, or that none calls, have been taken away again and again: the circles
 # and the ways from one to another.
 circles() {
     awk '

@@ -69,7 +69,7 @@ report "no clock, process or signal where the science is" "$(only '^(time|signal
 
 [ -f "$BUILD_DIR/libplumbago.a" ] || { fail "the library is built" "no $BUILD_DIR/libplumbago.a"; exit; }
 
-# What the compiled library calls. In its own code it neither prints, exits, reads the environment nor asks the time or a
+# The compiled library calls only what it may. In its own code it neither prints, exits, reads the environment nor asks the time or a
 # locale; _exit is for the child of a fork only. (stdout: "-" as an output file; snprintf and fprintf to a
 # file that was passed in are fine.)
 banned='printf|__printf_chk|vprintf|__vprintf_chk|puts|putchar|perror|stderr|exit|abort|getenv|secure_getenv|setlocale|newlocale|time|clock|rand|srand|random|srandom|drand48|system|popen|strtod|strtof|strtold|atof|sscanf|__isoc99_sscanf|scanf|__isoc99_scanf|gets|strtok|tmpnam|mktemp|localtime|asctime|ctime'
@@ -90,7 +90,7 @@ case $BUILD_DIR in
 *) report "the library has no writable state" "$state" ;;
 esac
 
-# What tests and trials leave behind where they were started has once been committed with a change.
+# A file that tests and trials leave behind where they were started has once been committed with a change.
 allowed_at_top=' .ci .clang-format .editorconfig .gitignore CONTRIBUTING.md LICENSE Makefile NEWS.md README.md examples man profiles src tests '
 others=$(git -C "$ROOT" ls-files 2>/dev/null | sed 's#/.*##' | sort -u | while read -r name; do [[ $allowed_at_top == *" $name "* ]] || echo "$name"; done)
 report "nothing else lies at the top" "$others"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What --help lists, what the man pages document, what shells complete and what the program takes are the same options.
+# The options that --help lists, man pages document, shells complete and the program takes are the same options.
 . "$ROOT/tests/check.sh"
 
 # The long and short options in the --help text of a program, and those in the .It lines of its man page.
@@ -40,7 +40,7 @@ for shell in bash zsh fish; do
     report "$shell completes no other" "$(grep -oE -- "(^| |\{|'|,)$mark[a-z][-a-z]*" $shell.txt | sed -E 's/.*(--|-l )/--/' | sort -u | comm -23 - <(grep '^--' <<<"$help" | sort -u))"
     if command -v $shell >/dev/null; then check "$shell reads the file" $shell -n $shell.txt; else skip "$shell reads the file" "no $shell here"; fi
 done
-# What bash offers after the words given; the last may be empty.
+# Gives what bash offers after the words given; the last may be empty.
 offers() {
     bash -c '. ./bash.txt; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _plumbago; printf "%s\n" "${COMPREPLY[@]}" | sort | tr "\n" " "' - plumbago "$@"
 }

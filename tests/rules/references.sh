@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What is kept for comparison has its source, and is compared: no golden, reference picture or corpus is left over.
+# Each file that is kept for comparison has its source, and is compared: no golden, reference picture or corpus is left over.
 . "$ROOT/tests/check.sh"
 cd "$ROOT/tests" || exit 1
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What is installed is whole, and one version number is said everywhere.
+# The installed files are complete, and one version number is said everywhere.
 . "$ROOT/tests/check.sh"
 unset MAKEFLAGS MAKELEVEL MFLAGS
 version=$(make -s -C "$ROOT" version)

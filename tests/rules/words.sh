@@ -21,8 +21,11 @@ unsaid=$(for f in $unsaid; do case $f in *.c) [ -f "${f%.c}.h" ] || echo "$f" ;;
 report "every file says what it does (a .c of the same name as its .h may leave it to the .h)" "$unsaid"
 large=$(xargs -d '\n' stat -c '%s %n' <<<"$files" | awk '$1 > 1048576')
 report "no text file over 1 MiB" "$large"
-# A comment opens with a sentence: subject, verb, object. The folders that keep to it so far; the words are of another century.
-kept=$(grep -E '^src/(plan|stroke|profile)/.*\.[ch]$' <<<"$files")
-keep() { tr '\n' '\0' <<<"$kept" | xargs -0 grep -nE -- "$1" /dev/null | cut -c 1-160; }
-report "no comment opens with Of or What" "$(keep '/\* (Of|What) '; tr '\n' '\0' <<<"$kept" | xargs -0 awk 'FNR <= 4 && /^ \* (Of|What) / { print FILENAME ":" FNR ": " $0 }')"
-report "no words of another century in comments" "$(keep '(/\*|^ \*|//).*\b(lest|anew|for naught|as [a-z ]+ (has|have|had) it)\b')"
+# A comment opens with a sentence: subject, verb, object. The words are of another century.
+in_c=$(grep -E '^(src|tests|examples)/.*\.[ch]$' <<<"$files")
+in_scripts=$(grep -E '^(src|tests|examples)/.*\.(sh|awk|py)$|^Makefile$|^tests/run$' <<<"$files")
+lines() { tr '\n' '\0' <<<"$1" | xargs -0 grep -nE -- "$2" /dev/null | cut -c 1-160; }
+report "no comment opens with Of or What" "$(lines "$in_c" '/\* (Of|What) '; lines "$in_scripts" '^ *# (Of|What) '
+    tr '\n' '\0' <<<"$in_c" | xargs -0 awk 'FNR <= 4 && /^ \* (Of|What) / { print FILENAME ":" FNR ": " $0 }')"
+old_words='\b(lest|an''ew|for nau''ght|as [a-z ]+ (has|have|had) it)\b'
+report "no words of another century in comments" "$(lines "$in_c" "(/\*|^ \*|//).*$old_words"; lines "$in_scripts" "^ *#.*$old_words")"

@@ -322,7 +322,7 @@ static void other_pages_are_noticed(void)
     CHECK(list.items.n == 1 && !list.omissions.n[OMISSION_TEXT] && said("only the first page"));
 }
 
-/* What Ghostscript draws ends the reading at once, if the comments say what the page is; else with the page. */
+/* Operators that Ghostscript draws end the reading at once, if the comments say what the page is; else with the page. */
 static void fonts_filters_and_resources_are_left_to_ghostscript(void)
 {
 #define EPS "%!PS-Adobe-3.0 EPSF-3.0\n%%BoundingBox: 10 20 110 220\n"

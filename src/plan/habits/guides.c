@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Lines from this share of the page's longer side on, and from this length on, mm. */
+/* Lines get a guide from this share of the page's longer side on, and from this length on, mm. */
 #define LONG_OF_PAGE 0.12
 #define LONG_MM 20.0
 /* Beyond each end a guide goes on by this share of its length, within these bounds, more or less. */
@@ -28,7 +28,7 @@
 /* A closed curve is a circle when its box is square and its length that of a circle, both within this share. */
 #define CIRCLE_WITHIN 0.06
 #define CIRCLE_MIN_MM 12.0
-/* Hardly touching the paper. */
+/* A guide hardly touches the paper: its pressure. */
 #define GUIDE_PRESSURE 0.35f
 /* A guide is drawn with care, and the line on it follows it: so far they stray, mm. */
 #define GUIDE_DEVIATION_MM 0.4f

@@ -45,7 +45,7 @@ typedef struct {
     uint64_t line; /* the number of the line at work */
 } hatching;
 
-/* Numbers of a line: what each is for. */
+/* Each line has these random numbers; the name says what a number is for. */
 enum { AT_PLACE, AT_TILT, AT_PRESSURE, AT_SWEEP, AT_RANK, AT_SPAN, PER_LINE = 4096 };
 
 /* Gives a number that is near enough normal, of standard deviation 1, within ±3.46. */

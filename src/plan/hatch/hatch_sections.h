@@ -48,13 +48,14 @@ struct crossing {
     int turn;
 };
 
-/* `tilt` is the steepest line that will be asked for. False and `err` when out of memory; `k` is then to be freed all the same. */
+/* Prepares the sections; `tilt` is the steepest line that will be asked for. False and `err` when out of memory; `k` is
+ * then to be freed all the same. */
 bool plb_sections_init(sections *k, const shape_edges *edges, bool even_odd, frame f, double tilt, error *err);
 void plb_sections_free(sections *k);
 /* Fills k->spans, in order of u, with the parts inside the shape of the line through the middle of the bounds at `v`
  * that rises by `tilt` per u. */
 bool plb_sections_at(sections *k, double v, double tilt, error *err);
-/* v of that line at `u`. */
+/* Gives v of that line at `u`. */
 double plb_sections_v(const sections *k, double v, double tilt, double u);
 
 #endif

@@ -15,7 +15,7 @@ typedef struct {
     size_t subpaths;
     bool is_convex;    /* one subpath that turns one way only */
     uint64_t identity; /* a hash of its geometry */
-    /* Figures of the filled part; 0 when there is none. */
+    /* These figures describe the filled part; 0 when there is none. */
     double area;       /* mm2 */
     double perimeter;  /* mm, of all edges */
     point centre;
@@ -23,7 +23,7 @@ typedef struct {
     double elongation; /* standard deviation along the axis over that across it, >= 1 */
 } shape;
 
-/* False and `err` when out of memory; `s` is then to be freed all the same. */
+/* Measures the shape. False and `err` when out of memory; `s` is then to be freed all the same. */
 bool plb_shape_init(shape *s, const item *fill, error *err);
 void plb_shape_free(shape *s);
 /* Tells how broad it is, mm: the mean length of its sections in that of four directions in which they are shortest. */

@@ -35,7 +35,7 @@ tone_source plb_tone_source(const display_list *list, const item *fill, const pl
 double plb_darkest(const tone_source *t);
 double plb_darkness_at(const tone_source *t, point at);
 
-/* Gives the darkness that a paint means. In colour it is how densely the pencil covers. */
+/* Gives the darkness that a paint means. In colour the darkness is how densely the pencil covers. */
 double plb_paint_darkness(const paint *p, bool colour);
 
 #endif

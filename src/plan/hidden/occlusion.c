@@ -26,9 +26,9 @@
 #define VEIL_LIGHT 0.9
 /* A line in the paper's colour hides what is at least so many widths of the pencil broad (chosen by eye: less closes up). */
 #define GAP_WIDTHS 0.9
-/* Boxes to a node of the tree. */
+/* A node of the tree has so many boxes. */
 #define FAN 8
-/* The most looks at edges for one drawing, some seconds of them: beyond, nothing more is cut. */
+/* One drawing may look at edges so often, which takes some seconds: beyond, nothing more is cut. */
 #define MAX_EDGE_LOOKS 2e8
 
 typedef struct {
@@ -70,8 +70,8 @@ static bool is_opaque(const item *it)
     return (p->alpha >= OPAQUE || is_veil) && p->kind != PAINT_PATTERN;
 }
 
-/* How broad a band the item hides, mm: a wide line as much as it covers, a line in the paper's colour at least what shows
- * as a gap between two lines of the pencil. 0: it is no line, or hides nothing. */
+/* Gives the breadth of the band that the item hides, mm: a wide line hides as much as it covers, a line in the paper's
+ * colour at least what shows as a gap between two lines of the pencil. 0: the item is no line, or hides nothing. */
 static double hiding_width(const item *it, const plan_options *o)
 {
     if (it->kind != ITEM_STROKE || it->dash.n)
@@ -267,7 +267,7 @@ static const region *region_of(occluders *c, area *a)
     return a->region;
 }
 
-/* Does something: true goes on to the next area. */
+/* Visits an area: true goes on to the next. */
 typedef bool (*area_visit)(occluders *c, area *a, void *closure);
 
 /* Tells whether something below the node may matter: a box that meets `b`, later than the one that asks, or any. */
@@ -278,7 +278,7 @@ static bool concerns(occluders *c, const node *at, const box *b)
     return !(apart | (c->query_above & (at->latest <= c->query_item)) | plb_occluders_are_exhausted(c));
 }
 
-/* Every such area below a node; false when a visit said so. */
+/* Visits every such area below a node; false when a visit said so. */
 static bool visit(occluders *c, size_t level, size_t k, const box *b, area_visit see, void *closure)
 {
     if (level == 0)

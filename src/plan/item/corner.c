@@ -11,7 +11,7 @@ static track_point point_of(const track *t, size_t k, size_t i)
     return t->closed ? t->v[(k + i) % (t->n - 1)] : t->v[i];
 }
 
-/* Points first to last of `t`, begun at vertex k, as a track of their own. */
+/* Makes a track of the points first to last of `t`, begun at vertex k. */
 static bool add_piece(const track *t, size_t k, size_t first, size_t last, track_list *out)
 {
     track piece = {.style = t->style};

@@ -120,7 +120,7 @@ static bool end_dash(pattern *p, point direction)
     return ok;
 }
 
-/* One straight piece of the track. */
+/* Walks along one straight piece of the track. */
 static bool walk(pattern *p, track_point from, track_point to)
 {
     double length = plb_point_distance(from.at, to.at), done = 0;

@@ -53,7 +53,7 @@ static bool sample(simplifier *c, size_t first, size_t last)
     return array_push(&c->samples, v[last].at);
 }
 
-/* Sample k; beyond an end what lies within, turned about the end. */
+/* Gives sample k; beyond an end the samples within, turned about the end. */
 static point sample_at(const simplifier *c, long k)
 {
     long last = (long)c->samples.n - 1;

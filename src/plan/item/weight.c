@@ -18,7 +18,7 @@
 #define MIN_TONE 0.3
 #define MIN_WEIGHT 0.6
 #define MAX_WEIGHT 1.6
-/* Colours less saturated than this are graphite's business. */
+/* Colours less saturated than this are drawn with graphite. */
 #define MIN_CHROMA 0.12
 
 bool plb_leaves_mark(const item *it)
@@ -82,7 +82,7 @@ static double within(double x, double low, double high)
     return x < low ? low : x > high ? high : x;
 }
 
-/* 0xRRGGBB as it looks over white; 0 for what graphite can do. */
+/* Gives the colour 0xRRGGBB as it looks over white; 0 for what graphite can do. */
 static uint32_t colour_of(paint p)
 {
     double c[3] = {p.red, p.green, p.blue}, low = 1, high = 0;

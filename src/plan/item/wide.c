@@ -59,7 +59,7 @@ static bool is_mitred(point in, point out)
     return point_dot(in, out) > cos(MITRE_DEGREES * PLB_PI / 180);
 }
 
-/* Point number k of the track, around a closed one: 0 <= k + n. */
+/* Gives point number k of the track, around a closed one: 0 <= k + n. */
 static point at(const track *t, long k)
 {
     long n = (long)t->n - (t->closed ? 1 : 0);

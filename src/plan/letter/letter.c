@@ -12,7 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Pixels across a stroke: enough for the axis' place, and for hairlines a third as wide. */
+/* A stroke is so many pixels across: enough for the axis' place, and for hairlines a third as wide. */
 #define PIXELS_PER_STEM 8.0
 /* All chosen by eye. */
 #define THIN_PENCILS 2.2     /* a stroke up to this many pencil lines wide is thin at any size */
@@ -243,7 +243,7 @@ static double turning(const track_point *v, size_t n)
     return sum; /* > 0: clockwise, as y points down */
 }
 
-/* Downwards, or to the right where the stroke is more level. */
+/* Turns a stroke downwards, or to the right where the stroke is more level. */
 static void turn_by_hand(track_list *strokes, size_t i)
 {
     const track *t = &strokes->tracks.v[i];

@@ -35,7 +35,7 @@ typedef struct {
 } raster;
 
 /* No raster has more pixels than the first; none more than the second when the shape's contours pass fewer than one of
- * RASTER_SPARSE of them: time goes with the pixels, worth with the ink. */
+ * RASTER_SPARSE of them: time grows with the pixels, the gain with the ink. */
 #define RASTER_MAX_PIXELS (1024 * 1024)
 #define RASTER_USUAL_PIXELS (256 * 1024)
 #define RASTER_SPARSE 200

@@ -46,7 +46,7 @@ static double protrusion(const medial *m, const medial_branch *b, int joint)
     return plb_point_distance(tip->at, j->at) + tip->radius - j->radius;
 }
 
-/* Thinner than the stroke that it hangs on: a serif, or the wedge of a corner. */
+/* Tells whether a leaf is thinner than the stroke that it hangs on: a serif, or the wedge of a corner. */
 static bool is_thin(const medial *m, const medial_branch *leaf, int joint)
 {
     return m->points.v[leaf->first + leaf->n / 2].radius < THIN * m->nodes.v[joint].radius;
@@ -60,7 +60,7 @@ static bool is_spur(const medial *m, const medial_branch *leaf, int joint, doubl
     return protrusion(m, leaf, joint) < fmax(least, detail);
 }
 
-/* A leaf and its tip. */
+/* Drops a leaf and its tip. */
 static void drop(medial *m, medial_branch *b, int joint)
 {
     b->gone = true;

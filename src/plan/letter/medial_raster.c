@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-/* Empty pixels around the shape: thinning looks at all eight neighbours. */
+/* The shape has so many empty pixels around it: thinning looks at all eight neighbours. */
 #define RIM 2
 
 void plb_contour_set_free(contour_set *o)

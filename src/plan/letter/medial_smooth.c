@@ -30,7 +30,7 @@ static bool is_straight(const pen_point *p, size_t n, double slack)
     return plb_point_distance(p[0].at, p[n - 1].at) > 2 * slack;
 }
 
-/* Points at even steps of about `step` along p, both ends included. */
+/* Gives points at even steps of about `step` along p, both ends included. */
 static bool resample(const pen_point *p, size_t n, double step, polyline *out)
 {
     double length = 0, gone = 0;
@@ -52,7 +52,7 @@ static bool resample(const pen_point *p, size_t n, double step, polyline *out)
     return true;
 }
 
-/* Passes of (1 2 1)/4: each adds 1/2 to the variance, in steps squared. `ring`: the ends are one point like any. */
+/* Does passes of (1 2 1)/4: each adds 1/2 to the variance, in steps squared. `ring`: the ends are one point like any. */
 static void average(polyline *q, bool ring)
 {
     int passes = (int)lround(2 * (SIGMA / POINT_STEP) * (SIGMA / POINT_STEP));
@@ -69,7 +69,7 @@ static void average(polyline *q, bool ring)
     }
 }
 
-/* One piece, corner to corner. */
+/* Smooths one piece, corner to corner. */
 static bool smooth_piece(const pen_point *p, size_t n, bool ring, double stem, polyline *q)
 {
     q->n = 0;

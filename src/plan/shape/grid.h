@@ -25,7 +25,7 @@ typedef struct {
     ARRAY(grid_entry) entries;
 } grid;
 
-/* For about `n` numbers. False when out of memory, as with plb_grid_put. */
+/* Prepares the grid for about `n` numbers. False when out of memory, as with plb_grid_put. */
 bool plb_grid_init(grid *g, double cell, size_t n);
 void plb_grid_free(grid *g);
 int64_t plb_grid_cell(const grid *g, double at);
@@ -42,8 +42,8 @@ static inline uint32_t plb_grid_first(const grid *g, int64_t column, int64_t row
     return *plb_grid_head(g, column, row);
 }
 
-/* A direction as a share of half a turn, -1 to 1, and in which of so many equal parts of half a turn such a share lies: lines
- * are kept apart by their direction, whichever way they are drawn. */
+/* Gives a direction as a share of half a turn, -1 to 1, then the one of so many equal parts of half a turn that holds
+ * such a share: lines are kept apart by their direction, whichever way they are drawn. */
 double plb_grid_turn(point way);
 int64_t plb_grid_part(double turn, int parts);
 

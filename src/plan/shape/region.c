@@ -234,7 +234,7 @@ bool plb_region_contains(const region *r, point p, double margin)
     return is_inside(r, p) || is_near_edge(r, p, margin);
 }
 
-/* Whether all that lies `margin` from p is inside. Edges between parts that overlap bound nothing: they do not count. */
+/* Tells whether all that lies `margin` from p is inside. Edges between parts that overlap bound nothing: they do not count. */
 static bool is_surrounded(const region *r, point p, double margin)
 {
     static const point ways[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {.7071, .7071}, {-.7071, .7071}, {-.7071, -.7071}, {.7071, -.7071}};

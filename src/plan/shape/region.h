@@ -17,15 +17,15 @@
 typedef struct region region;
 typedef ARRAY(double) crossings;
 
-/* NULL and `err` when out of memory. */
+/* Makes a region of the path. NULL and `err` when out of memory. */
 region *plb_region_new(const path *p, bool even_odd, error *err);
 void plb_region_free(region *r);
 box plb_region_bounds(const region *r);
-/* True when the region is one upright rectangle: its bounds then say all. */
+/* Tells whether the region is one upright rectangle: its bounds then say all. */
 bool plb_region_is_box(const region *r);
-/* Inside, or within `margin` of the boundary. */
+/* Tells whether the point is inside, or within `margin` of the boundary. */
 bool plb_region_contains(const region *r, point p, double margin);
-/* Inside, and farther than `margin` from the boundary. */
+/* Tells whether the point is inside, and farther than `margin` from the boundary. */
 bool plb_region_covers(const region *r, point p, double margin);
 /* Tells how many edges a question about that segment (or point, when both are the same) looks at, about. */
 double plb_region_work(const region *r, point from, point to);

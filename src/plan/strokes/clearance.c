@@ -15,7 +15,7 @@
 #define CLEAR_MM 0.25
 #define SHORTEST_WIDTHS 2.5
 #define CLEARANCE_CELL_MM 2.0
-/* Bounds on the work: looks at letters for one line, and for all. Beyond, lines are left as they are. */
+/* These bound the work: looks at letters for one line, and for all. Beyond, lines are left as they are. */
 #define MAX_CLEARANCE_LOOKS 20000
 #define MAX_CLEARANCE_LOOKS_OF_ALL 2e8
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a picture in progress is, and what a format of files must do; for this folder only.
+ * Describes a picture in progress, and what a format of files must do; for this folder only.
  */
 #ifndef PLB_SURFACE_PICTURE_FORMATS_H
 #define PLB_SURFACE_PICTURE_FORMATS_H
