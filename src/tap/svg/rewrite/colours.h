@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Replaces colours that are newer than librsvg 2.54 (CSS colour modules 4 and 5): oklch, oklab, lch, lab, hwb, color(),
- * color-mix and light-dark become rgba().
+ * Replaces colours that are newer than librsvg 2.54 (CSS colour modules 4 and 5): oklch, oklab, lch, lab, hwb, color(), color-mix
+ * and light-dark become rgba().
  */
 #ifndef PLB_TAP_SVG_REWRITE_COLOURS_H
 #define PLB_TAP_SVG_REWRITE_COLOURS_H
