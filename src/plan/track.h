@@ -30,7 +30,7 @@ typedef struct {
     double start; /* arc length from the subpath's beginning to the first point, mm: where its dashes stand */
 } track;
 
-/* Tracks and the points of all of them, one track after the other. */
+/* A track_list holds tracks and the points of all of them, one track after the other. */
 typedef struct {
     ARRAY(track) tracks;
     ARRAY(track_point) points;
@@ -38,10 +38,10 @@ typedef struct {
 void plb_tracks_free(track_list *l);
 /* Empties the list, keeps its memory and gives the list back. */
 track_list *plb_tracks_clear(track_list *l);
-/* Track i; its points stay where they are until the list grows. */
+/* Gives track i; its points stay where they are until the list grows. */
 track plb_track_at(const track_list *l, size_t i);
 
-/* All below return false when out of memory. */
+/* All functions below return false when out of memory. */
 
 /* Begins a track without points, in other respects like `as`. */
 bool plb_track_begin(track_list *l, const track *as);

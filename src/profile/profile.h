@@ -89,19 +89,19 @@ typedef struct {
 
 /* ---- files (profile_read.c, profile_write.c) ---- */
 
-/* From bytes in memory; `name` is for messages. NULL and `err` when malformed. The caller frees. */
+/* Reads a profile from bytes in memory; `name` is for messages. NULL and `err` when malformed. The caller frees. */
 profile *plb_profile_parse(const char *name, const unsigned char *data, size_t size, error *err);
-/* A grade ("HB": one of the eight built in, any case) or else a file name. The caller frees. */
+/* Loads a grade ("HB": one of the eight built in, any case) or else a file. The caller frees. */
 profile *plb_profile_read(const char *grade_or_file, error *err);
-/* The bytes of the file form, owned by the caller (plb_free). */
+/* Gives the bytes of the file form, owned by the caller (plb_free). */
 unsigned char *plb_profile_serialise(const profile *p, size_t *size, error *err);
-/* Written beside `file` and renamed onto it when complete: a failure leaves nothing behind. */
+/* Writes beside `file` and renames onto it when complete: a failure leaves nothing behind. */
 bool plb_profile_write(const profile *p, const char *file, error *err);
 void plb_profile_release(profile *p);
 /* Gives the eight grades from hard to soft: "2H" "H" "F" "HB" "B" "3B" "6B" "8B"; NULL past the end. */
 const char *plb_profile_grade(size_t index);
 
-/* Median grey along the centre of the line, bare paper included. */
+/* Gives the median grey along the centre of the line, bare paper included. */
 int plb_profile_centre(const profile *p);
 
 /* ---- capture from scans (profile_capture.c and its steps) ---- */

@@ -31,7 +31,7 @@ void plb_stroke_scratch_free(stroke_scratch *s);
 bool plb_stroke_draw(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, patch_sink sink,
                      void *closure, error *err);
 
-/* Rows [top, bottom) of the page that the stroke may touch, of options->dpi. */
+/* Gives the rows [top, bottom) of the page that the stroke may touch, of options->dpi. */
 bool plb_stroke_rows(const stroke_list *list, const stroke *s, const stroke_options *o, stroke_scratch *scratch, int *top, int *bottom,
                      error *err);
 

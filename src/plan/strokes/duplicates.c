@@ -242,7 +242,7 @@ static bool put_on_grid(duplicate_finder *u, size_t number)
     return true;
 }
 
-/* The part of the stroke between two arc lengths becomes a stroke. */
+/* Makes a stroke of the part between two arc lengths. */
 static bool keep_part(duplicate_finder *u, const stroke *s, const point *at, double from, double to)
 {
     double done = 0;

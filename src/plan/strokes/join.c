@@ -15,7 +15,7 @@
 #include <stdlib.h>
 
 /* Two ends alone at a place go on in one movement up to the turn that is a corner (track.h); among several, where
- * crossing lines meet, only straighter ones (chosen by eye). */
+ * crossing lines meet, only straighter ones do (chosen by eye). */
 #define TURN_ALONE_DEGREES 30.0
 #define TURN_AMONG_DEGREES 12.0
 /* Lines are of one movement only if their pressures differ by less than this. */

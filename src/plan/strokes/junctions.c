@@ -90,8 +90,8 @@ static bool put_ends(line_ends *ends, const stroke_list *list)
     return true;
 }
 
-/* Some of the strokes, batch by batch; each changes itself only. Between rounds the looks are counted, so that it does not
- * depend on the threads where they end. */
+/* Works on some of the strokes, batch by batch; each changes itself only. Between rounds the looks are counted, so that
+ * the strokes at which they end do not depend on the threads. */
 #define BATCHES_AT_A_TIME 64 /* batches */
 typedef struct {
     const line_ends *ends;

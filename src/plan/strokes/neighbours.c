@@ -34,7 +34,7 @@ static bool is_candidate(const stroke_list *list, const stroke *s)
     return s->n == 2 && s->style.kind == STROKE_LINE && plb_point_distance(v[0], v[1]) >= MIN_NEIGHBOUR_MM;
 }
 
-/* The line that asks: its beginning, unit direction and length; what lies `farthest` away or more is no neighbour. */
+/* An asker is the line that asks: its beginning, unit direction and length; what lies `farthest` away or more is no neighbour. */
 typedef struct {
     point a, along;
     double length, farthest;
@@ -105,7 +105,7 @@ static bool put(grid *g, lines *all, const stroke_list *list, size_t i)
     return array_push(all, l);
 }
 
-/* A batch of the lines; each changes its own stroke only. */
+/* Works on a batch of the lines; each changes its own stroke only. */
 typedef struct {
     const grid *where;
     const lines *all;

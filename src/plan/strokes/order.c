@@ -13,7 +13,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Strokes to a group (chosen by measurement: more cost time and change little). */
+/* A group has so many strokes (chosen by measurement: more cost time and change little). */
 #define GROUP 48
 /* Cells of the Hilbert curve along a side: 2 to the power of this. */
 #define HILBERT_LEVELS 10

@@ -24,7 +24,7 @@ typedef ARRAY(point) points;
 
 /* ---- straight runs ---- */
 
-/* The directions from the anchor that keep all points since within tolerance: an angle about the first of them. */
+/* A sleeve holds the directions from the anchor that keep all points since within tolerance: an angle about the first of them. */
 typedef struct {
     point anchor;
     double first, low, high;

@@ -60,7 +60,7 @@ static void make_kernel(line_finder *f)
         f->kernel[k] = (float)(exp(-k * k / (2 * sigma * sigma)) / sum);
 }
 
-/* Column x of the scan under a Gaussian, into f->column. */
+/* Blurs column x of the scan by a Gaussian into f->column. */
 static void blur_column(line_finder *f, int x)
 {
     const scan *s = f->s;

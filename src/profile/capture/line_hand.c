@@ -11,7 +11,7 @@
 
 const double plb_hand_median_percent[HAND_MODES] = {.56, .22, .14, .095, .066, .044, .034, .031};
 
-/* Twice the mean of the deviation times the sine: the amplitude of mode k. */
+/* Gives the amplitude of mode k: twice the mean of the deviation times the sine. */
 static double amplitude(const double line[], int n, int k)
 {
     double sum = 0, rise = (line[n - 1] - line[0]) / (n - 1);

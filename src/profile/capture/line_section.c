@@ -26,7 +26,7 @@ void plb_section_add(section_sums *sums, const line_strip *s, double stretch)
         }
 }
 
-/* Value `i` of an empty bin from the nearest filled ones; beyond the last: `outside`. */
+/* Interpolates value `i` of an empty bin from the nearest filled ones; beyond the last: `outside`. */
 static double between(const section_sums *sums, const double v[], int i, double outside)
 {
     int a = i, b = i;

@@ -13,7 +13,7 @@ typedef struct {
 
 /* Adds the usable pixels of a strip, its distances times `stretch`. */
 void plb_section_add(section_sums *sums, const line_strip *s, double stretch);
-/* Mean and standard deviation by bin; a bin without pixels lies between its neighbours. */
+/* Gives mean and standard deviation by bin; a bin without pixels lies between its neighbours. */
 void plb_section_figures(const section_sums *sums, double mean[PROFILE_SECTION_BINS], double sd[PROFILE_SECTION_BINS]);
 /* Gives the width where darkness falls to `share` of its greatest, px; 0 when there is no line. */
 double plb_section_width(const double mean[PROFILE_SECTION_BINS], double share);

@@ -34,7 +34,7 @@ typedef struct {
     double *work;
 } straightener;
 
-/* Gaussian smoothing; the ends are carried on level. */
+/* Smooths by a Gaussian; the ends are carried on level. */
 static void smooth(const double *in, double *out, int n, double sigma)
 {
     int radius = (int)ceil(4 * sigma);
@@ -91,7 +91,7 @@ static bool place_rim(straightener *w, error *err)
     return true;
 }
 
-/* Grey of the scan; paper outside it. */
+/* Gives the grey of the scan; paper outside the scan. */
 static int grey_at(const straightener *w, int x, int y)
 {
     return y < 0 || y >= w->s->height ? w->paper : w->s->grey[(size_t)y * (size_t)w->s->width + (size_t)x];
@@ -122,7 +122,7 @@ static void find_centreline(straightener *w)
     smooth(w->work, w->line, n, FINE_SIGMA * w->unit);
 }
 
-/* On the scale where paper is 255, and noise of the paper is paper. Rounded up or down by a hash of the pixel's place,
+/* Scales a grey so that paper is 255, and noise of the paper is paper. A hash of the pixel's place rounds up or down,
  * so that the mean is kept and no grey is left without pixels (plain rounding would comb the histograms). */
 static uint8_t scaled(const straightener *w, int x, int y)
 {
@@ -132,14 +132,14 @@ static uint8_t scaled(const straightener *w, int x, int y)
     return (uint8_t)(g > STRIP_LIGHTEST ? 255 : g);
 }
 
-/* For the grain: greys as they are, but paper is paper. */
+/* Gives the grey for the grain: unchanged, but paper is paper. */
 static float darkness(const straightener *w, int x, int y)
 {
     double grey = fmin(255, grey_at(w, x, y) * 255.0 / w->paper);
     return grey > STRIP_GRAIN_LIGHTEST ? 0 : (float)(255 - grey);
 }
 
-/* True when nothing but paper is in the rim rows of column k; clears what lies beyond the line. */
+/* Tells whether nothing but paper is in the rim rows of column k; clears what lies beyond the line. */
 static bool straighten_column(const straightener *w, line_strip *out, int k)
 {
     int x = w->t->x0 + k, middle = (int)floor(w->line[k] + 0.5);

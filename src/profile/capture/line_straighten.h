@@ -8,7 +8,7 @@
 #include "profile/capture/line_find.h"
 #include "profile/capture/line_strip.h"
 
-/* `unit` is 1/300 inch in pixels. The caller frees `out`. */
+/* Straightens the line; `unit` is 1/300 inch in pixels. The caller frees `out`. */
 bool plb_line_strip_make(const scan *s, const line_track *t, double unit, int paper, line_strip *out, error *err);
 void plb_line_strip_free(line_strip *strip);
 

@@ -170,7 +170,7 @@ static bool add_scan(capture *c, const char *file, error *err)
 
 /* ---- pooling ---- */
 
-/* Both histograms and the matrix over the pixels nearer the centreline than half the line's full width. */
+/* Counts both histograms and the matrix over the pixels nearer the centreline than half the line's full width. */
 static void count_greys(const line_strip *s, profile *p)
 {
     for (int k = 0; k < s->n; k++) {
@@ -250,7 +250,7 @@ static bool pool_hand(const capture *c, profile *p, error *err)
     return good || plb_fail_memory(err);
 }
 
-/* To the steps of the file format: what is captured is what will be loaded. */
+/* Rounds to the steps of the file format: what is captured is what will be loaded. */
 static void quantise(profile *p)
 {
     p->width_half = fixed(p->width_half, FORMAT_MILLI);

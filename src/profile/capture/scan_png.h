@@ -20,12 +20,12 @@ typedef struct {
     uint8_t *grey; /* row by row; 0 black, 255 white */
 } scan;
 
-/* Any kind of PNG; colour is turned to grey as 0.299 R + 0.587 G + 0.114 B of the stored values (ITU-R BT.601), and
- * transparent pixels lie on white. The caller frees with plb_scan_png_free. */
+/* Reads any kind of PNG; colour is turned to grey as 0.299 R + 0.587 G + 0.114 B of the stored values (ITU-R BT.601),
+ * and transparent pixels lie on white. The caller frees with plb_scan_png_free. */
 bool plb_scan_png_read(scan *s, const char *file, error *err);
-/* Rows and columns exchanged. */
+/* Exchanges rows and columns. */
 bool plb_scan_png_transpose(const scan *s, scan *out, error *err);
-/* Every pixel of `out` the mean of `factor` x `factor` pixels, factor > 1; a rest at the right and below is dropped. */
+/* Makes every pixel of `out` the mean of `factor` x `factor` pixels, factor > 1; a rest at the right and below is dropped. */
 bool plb_scan_reduce(const scan *s, double factor, scan *out, error *err);
 void plb_scan_png_free(scan *s);
 

@@ -36,7 +36,7 @@
 
 /* CRC-32 as in zlib and PNG (ISO 3309: polynomial 0xedb88320, reflected, both ends inverted). */
 uint32_t plb_crc32(const unsigned char *data, size_t size);
-/* True for valid UTF-8 without control characters (line feed and tab pass when `lines`) and without a zero byte. */
+/* Tells whether the text is valid UTF-8 without control characters (line feed and tab pass when `lines`) and without a zero byte. */
 bool plb_text_is_clean(const char *text, size_t size, bool lines);
 
 #endif

@@ -147,7 +147,7 @@ static bool read_ccm(cursor *c, profile *p)
     return total <= FORMAT_MAX_COUNT;
 }
 
-/* IEEE 754 single precision. */
+/* Reads an IEEE 754 number of single precision. */
 static bool take_float(cursor *c, float *value)
 {
     uint64_t u;
@@ -237,7 +237,7 @@ static bool is_grain_of_another_time(const char *tag, cursor body)
     return !memcmp(tag, "GRAI", 4) && (size_t)(body.end - body.at) != GRAIN_MODES + 4 * floats;
 }
 
-/* One section; marks its entry in `seen`. */
+/* Reads one section and marks its entry in `seen`. */
 static bool parse_one(const char *name, const char *tag, cursor body, bool seen[FILE_SECTIONS], profile *p, error *err)
 {
     size_t i = 0;

@@ -52,7 +52,7 @@ static void line_width(FILE *to, const char *text, const profile *p, double px)
     fprintf(to, "%s mm (%s px)\n", digits(a, mm(p, px), 3), digits(b, px, 2));
 }
 
-/* Percentiles of a histogram, without white. */
+/* Prints percentiles of a histogram, without white. */
 static void line_histogram(FILE *to, const char *text, const uint32_t counts[PROFILE_GREYS])
 {
     static const double shares[] = {0.01, 0.10, 0.50, 0.90, 0.99};
@@ -110,7 +110,7 @@ static void print_section(FILE *to, const profile *p)
     }
 }
 
-/* Standard deviation of figure `i` of a line. */
+/* Gives the standard deviation of figure `i` of a line. */
 static double line_sd(const grain_model *g, int i)
 {
     double variance = 0;
@@ -210,7 +210,7 @@ static double section_at(const profile *p, double distance)
     return p->section_mean[k] + (p->section_mean[k + 1] - p->section_mean[k]) * (bin - k);
 }
 
-/* Root mean square difference of the sections out to the edge of the wider line. */
+/* Gives the root mean square difference of the sections out to the edge of the wider line. */
 static double section_difference(const profile *a, const profile *b)
 {
     double end = fmax(mm(a, a->width_tenth), mm(b, b->width_tenth)) / 2, sum = 0;
@@ -237,7 +237,7 @@ static void reduce_ccm(const uint32_t *ccm, double out[ACE_LEVELS * ACE_LEVELS])
         out[i] /= total;
 }
 
-/* Average co-occurrence error (Copeland et al. 2001, thesis equation 2.7) for the one displacement of a profile. */
+/* Gives the average co-occurrence error (Copeland et al. 2001, thesis equation 2.7) for the one displacement of a profile. */
 static double co_occurrence_error(const profile *a, const profile *b)
 {
     double pa[ACE_LEVELS * ACE_LEVELS], pb[ACE_LEVELS * ACE_LEVELS], sum = 0;
@@ -248,7 +248,7 @@ static double co_occurrence_error(const profile *a, const profile *b)
     return sum;
 }
 
-/* One line: name, figure of `a`, figure of `b`, difference, meaning. */
+/* Prints one line: name, figure of `a`, figure of `b`, difference, meaning. */
 static void pair(FILE *to, const char *text, double a, double b, int decimals, const char *meaning)
 {
     char x[48], y[48], d[48];

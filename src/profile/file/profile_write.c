@@ -36,7 +36,7 @@ static void put(buffer *b, uint64_t value, size_t n)
     put_bytes(b, byte, n);
 }
 
-/* LEB128: seven bits a byte, lowest first, the high bit says that more follow. */
+/* Writes LEB128: seven bits a byte, lowest first, the high bit says that more follow. */
 static void put_leb(buffer *b, uint32_t value)
 {
     for (; value > 0x7f; value >>= 7)
@@ -111,7 +111,7 @@ static void write_ccm(buffer *b, const profile *p)
         }
 }
 
-/* IEEE 754 single precision: its bits as a number. */
+/* Writes an IEEE 754 number of single precision: its bits as a number. */
 static void put_float(buffer *b, float value)
 {
     uint32_t bits;

@@ -10,10 +10,10 @@
 
 #define MIN_DEGREES 0.3 /* of freedom: one line tells nothing of the others, and its covariance is zero */
 
-/* How much more a line that was not scanned differs from the mean of those that were than these do: what few lines tell is
- * uncertain itself. The variance of Student's t with as many degrees of freedom, times that of the mean of n lines (the
- * predictive distribution; Gelman et al., Bayesian Data Analysis, 3rd ed., 2013, section 3.2). `shares`: the sum of the
- * squares of the lines' shares, of equal ones 1 / n. */
+/* A line that was not scanned differs by so much more from the mean of those that were than these do, because a mean
+ * and a variance of few lines are uncertain themselves. The factor is the variance of Student's t with as many degrees
+ * of freedom, times that of the mean of n lines (the predictive distribution; Gelman et al., Bayesian Data Analysis,
+ * 3rd ed., 2013, section 3.2). `shares`: the sum of the squares of the lines' shares, of equal ones 1 / n. */
 #define MIN_FREEDOM 4.0 /* of a variance that is known at all; with fewer it is endless … */
 static double predictive(double shares)
 {

@@ -13,7 +13,7 @@
 const float plb_grain_levels[GRAIN_LEVELS] = {0,     0.005f, 0.01f, 0.02f, 0.03f, 0.045f, 0.06f, 0.08f, 0.1f, 0.13f, 0.16f, 0.2f, 0.25f,
                                               0.3f,  0.4f,   0.5f,  0.6f,  0.7f,  0.8f,   0.9f,  1.0f,  1.1f, 1.2f,  1.3f,  1.4f};
 
-/* Bounds: generous beside what scans give, tight enough that no drawn value leaves the range of a float. */
+/* The bounds are generous beside what scans give, and tight enough that no drawn value leaves the range of a float. */
 #define AT(member) offsetof(grain_model, member)
 const grain_field plb_grain_fields[GRAIN_FIELDS] = {
     {AT(reference_width), 1, 0.5f, 100},

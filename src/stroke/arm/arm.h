@@ -50,7 +50,7 @@ double plb_arm_progress(const arm_model *arm, uint64_t identity, const stroke_op
 /* Gives the largest deviation D in force for a line of `length` mm, mm. */
 double plb_arm_squiggle(const arm_model *arm, double length, const stroke_options *o);
 
-/* Several arms share the functions below. The share of the way that the movement of least jerk has done. */
+/* Several arms share the functions below. This one gives the share of the way that the movement of least jerk has done. */
 double plb_minimum_jerk(uint64_t key, double tau);
 /* Deviations that do not depend on each other, each uniform in ±D, less near the ends. */
 void plb_deviate_freely(const movement *m, control *c, size_t n);

@@ -99,7 +99,7 @@ static void begin_patch(mapper *m, pixel_box in)
     grow_patch(m, in);
 }
 
-/* Columns x0 to x1 of a row of the patch have samples. */
+/* Notes that columns x0 to x1 of a row of the patch have samples. */
 static void mark(mapper *m, int row, int x0, int x1)
 {
     m->p.from[row] = (uint8_t)(x0 < m->p.from[row] ? x0 : m->p.from[row]);
@@ -247,7 +247,7 @@ static void ask_each(mapper *m, const piece_frame *f, piece_rows *r, int j, uint
         }
 }
 
-/* Rows of samples of a piece into the patch, the first one row number `row` of it. */
+/* Puts rows of samples of a piece into the patch, the first one row number `row` of it. */
 static void map_rows(mapper *m, const piece_frame *f, piece_rows *r, int row)
 {
     int x = f->k->in.x0 - m->in.x0, n = m->samples;
@@ -424,7 +424,7 @@ static bool add_path(mapper *m, const path_samples *path, bool closed, double px
     return draw_waiting(m) && flush(m);
 }
 
-/* Room for the samples of the largest patch, all zero; kept from stroke to stroke. */
+/* Makes space for the samples of the largest patch, all zero; kept from stroke to stroke. */
 static bool make_fine(map_buffer *buffer, size_t size)
 {
     if (buffer->size >= size)

@@ -90,7 +90,7 @@ PLB_SIMD_CLONES static void narrow(const double *restrict c, double sign, double
             high[j] = aside + sign * c[j] < 0 ? low[j] - 1 : high[j];
 }
 
-/* Whole samples between low, at least -1/2, and high. */
+/* Rounds low, at least -1/2, and high to the whole samples between them. */
 PLB_SIMD_CLONES static void round_rows(const double *restrict low, const double *restrict high, int n, int *restrict first, int *restrict last)
 {
     for (int j = 0; j < n; j++) {
@@ -111,7 +111,7 @@ static void trim_row(const piece_frame *f, piece_rows *r, int j)
         r->last[j]--;
 }
 
-/* Which rows have such ends; how many. */
+/* Finds the rows that have such ends; gives their number. */
 PLB_SIMD_CLONES static int64_t find_ragged(const piece_frame *f, const piece_rows *r, int64_t ragged[PIECE_ROWS])
 {
     const terms t = terms_of(f);

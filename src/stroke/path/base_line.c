@@ -74,7 +74,7 @@ point plb_base_place(base_line *b, double along, double off)
     return (point){on.x + off * tangent.y / l, on.y - off * tangent.x / l};
 }
 
-/* Unit vector from a to b, which are `length` apart. */
+/* Gives the unit vector from a to b, which are `length` apart. */
 static point unit_between(point a, point b, double length)
 {
     return point_scale(point_sub(b, a), 1 / length);

@@ -77,7 +77,7 @@ static size_t find_beginning(const base_line *b, uint64_t key)
     return k;
 }
 
-/* Once around and `overlap` mm farther. */
+/* Goes once around and `overlap` mm farther. */
 static bool go_round(course *c, const base_line *b, size_t from, double length, double overlap)
 {
     size_t n = b->n - 1;
@@ -120,7 +120,7 @@ static void space(course *c)
 
 /* ---- vias ---- */
 
-/* A place on the course; the cursor *at goes with `along`, which grows. */
+/* Gives a place on the course; the cursor *at goes with `along`, which grows. */
 static course_place on_course(const course *c, size_t *at, double along)
 {
     while (*at + 2 < c->n && along > c->v[*at + 1].along)
@@ -131,7 +131,7 @@ static course_place on_course(const course *c, size_t *at, double along)
     return (course_place){point_mix(p->at, p[1].at, t), along, spacing};
 }
 
-/* Distances along the course, each one spacing from the one before, stretched to end at its end. */
+/* Finds the distances along the course, each one spacing from the one before, stretched to end at its end. */
 static bool walk(const course *c, vias *v)
 {
     size_t at = 0;

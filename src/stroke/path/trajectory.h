@@ -42,7 +42,7 @@ point plb_base_way(const base_line *b);
 double plb_base_extent(const base_line *b);
 /* Gives the place `along` mm from the start and `off` mm to the left of the direction there; moves the cursor. */
 point plb_base_place(base_line *b, double along, double off);
-/* Arc lengths and tangents of samples whose places are known; samples that coincide with the one before are dropped. */
+/* Computes arc lengths and tangents of samples whose places are known; samples that coincide with the one before are dropped. */
 void plb_path_measure(path_samples *out, bool closed);
 
 #endif

@@ -19,9 +19,9 @@ typedef struct {
     double duration; /* until the next one */
     via_block forward; /* kept during the solution */
 } via;
-/* Velocities and accelerations at `n` >= 2 places for the movement of least jerk, from rest to rest. */
+/* Computes velocities and accelerations at `n` >= 2 places for the movement of least jerk, from rest to rest. */
 void plb_via_solve(via *v, size_t n);
-/* The movement from v[0] to v[1]: coefficients of the powers of the share of the time, 0 to 1. */
+/* Gives the movement from v[0] to v[1]: coefficients of the powers of the share of the time, 0 to 1. */
 typedef struct {
     double x[6], y[6];
 } via_piece;

@@ -70,7 +70,7 @@ static void add_steps(const grain_line *l, moment_sums *s)
         }
 }
 
-/* Correlations without what still correlates far along the line: that is the modes' part. */
+/* Computes the correlations without what still correlates far along the line: that is the modes' part. */
 static void correlate(const moment_sums *s, double variance, grain_moments *m)
 {
     double plateau[GRAIN_ASIDE] = {0};
@@ -84,8 +84,8 @@ static void correlate(const moment_sums *s, double variance, grain_moments *m)
     m->correlation[1][0] *= CORRELATION_GAIN;
 }
 
-/* Covariance of the log amplitudes of pixels `aside` rows apart: products of squares beyond what their correlation makes
- * (for normal variables E x²y² = 1 + 2 r²). */
+/* Computes the covariance of the log amplitudes of pixels `aside` rows apart: products of squares beyond what their
+ * correlation makes (for normal variables E x²y² = 1 + 2 r²). */
 static double log_amplitude(const moment_sums *s, double variance, const grain_moments *m, int aside)
 {
     double sum = 0;

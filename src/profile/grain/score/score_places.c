@@ -31,7 +31,7 @@ static double density(double z)
 
 /* ---- censored scores ---- */
 
-/* Mean of a normal number below `z`. */
+/* Gives the mean of a normal number below `z`. */
 static double mean_below(double z)
 {
     return -density(z) / fmax(plb_normal_share(z), 1e-6);

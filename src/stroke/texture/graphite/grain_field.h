@@ -55,7 +55,7 @@ bool plb_grain_make(grain *g, double length_px, grain_ends ends, const pencil *p
 #define GRAIN_COARSE_DPI 200.0
 #define GRAIN_COARSEST_DPI 67.0
 
-/* As a texture of `dpi` px per inch for a page of `page_dpi`. */
+/* Gives the field as a texture of `dpi` px per inch for a page of `page_dpi`. */
 shading plb_grain_shading(grain *g, double dpi, double page_dpi);
 
 #endif
