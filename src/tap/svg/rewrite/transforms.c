@@ -64,7 +64,10 @@ void plb_rewrite_transforms(rewriting *r)
     xmlNode *top = xmlDocGetRootElement(r->doc);
     for (xmlNode *n = top; n; n = plb_node_next(n, top)) {
         char *origin = plb_css_value(r->sheet, n, "transform-origin"), *kind = plb_css_value(r->sheet, n, "transform-box");
-        if (origin || kind)
+        char *units = plb_node_get(n, "clipPathUnits");
+        bool in_box = units && !strcmp(units, "objectBoundingBox"); /* of each element that it clips */
+        g_free(units);
+        if ((origin || kind) && !in_box)
             rewrite(r, n, origin, kind);
         g_free(origin);
         g_free(kind);
