@@ -20,10 +20,19 @@ holds() { # PACKAGE PATTERN...
     for pattern; do grep -qE "$pattern" "$TMP/list" || missing+="$pattern "; done
     report "$package has its files" "$missing"
 }
-holds plumbago '\./usr/bin/plumbago$' '\./usr/bin/plumbago-profile$' '/libexec/plumbago/tap-svg$' '/man1/plumbago.1.gz$' '/man7/plumbago.7.gz$' \
-    '/thumbnailers/plumbago.thumbnailer$' '/bash-completion/completions/plumbago$'
-holds libplumbago0 '/libplumbago.so.0 ->'
-holds libplumbago-dev '/include/plumbago.h$' '/libplumbago.a$' '/pkgconfig/plumbago.pc$' '/man3/plumbago.3.gz$'
+holds plumbago '\./usr/bin/plumbago$' '\./usr/bin/plumbago-profile$' '/libexec/plumbago/tap-'{svg,plain,ps,dxf}'$' '/man1/plumbago.1.gz$' \
+    '/man1/plumbago-profile.1.gz$' '/man5/pencil.5.gz$' '/man5/plumbago-list.5.gz$' '/man7/plumbago.7.gz$' '/thumbnailers/plumbago.thumbnailer$' \
+    '/bash-completion/completions/plumbago$' '/zsh/vendor-completions/_plumbago$' '/fish/vendor_completions.d/plumbago.fish$'
+holds libplumbago0 '/libplumbago.so.0 ->' "/libplumbago.so.$version\$"
+holds libplumbago-dev '/include/plumbago.h$' '/libplumbago.a$' '/libplumbago.so ->' '/pkgconfig/plumbago.pc$' '/man3/plumbago.3.gz$'
+
+# Those who link with the library need, even to ask pkg-config, all the libraries plumbago.pc names.
+depends=$(dpkg-deb -f libplumbago-dev_*.deb Depends) missing=''
+for library in $(dpkg-deb --fsys-tarfile libplumbago-dev_*.deb | tar -xO --wildcards '*/plumbago.pc' | sed -n 's/^Requires[^:]*: //p'); do
+    owner=$(dpkg-query -S "*/pkgconfig/$library.pc" 2>/dev/null | sed 's/:.*//;q')
+    [[ " $depends" == *" ${owner:-nobody}"[\ ,]* || " $depends" == *" $owner" ]] || missing+="$library (${owner:-no package}) "
+done
+report "libplumbago-dev brings the libraries of plumbago.pc" "$missing"
 
 # As installed, in a folder: the program finds its taps beside it, the thumbnailer makes a square picture.
 mkdir root && for p in *.deb; do dpkg-deb -x "$p" root; done
