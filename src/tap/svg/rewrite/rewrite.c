@@ -46,6 +46,8 @@ bool plb_rewrite_is_due(const char *text, size_t size)
     static const char *const words[] = {"var(", "oklch(", "oklab(", "lch(", "lab(", "hwb(", "color(", "color-mix(", "light-dark(", "path(",
                                         "textPath", "textLength", "rotate=", "pathLength", "non-scaling-stroke", "transform-origin",
                                         "transform-box", "foreignObject", "<switch", "data:image/svg", "<mask", "<pattern", "<filter", "filter:", "xml-stylesheet"};
+    if (!size) /* there may be no text at all, only NULL */
+        return false;
     for (size_t i = 0; i < G_N_ELEMENTS(words); i++)
         if (g_strstr_len(text, (gssize)size, words[i]))
             return true;
