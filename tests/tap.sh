@@ -70,7 +70,8 @@ unpack() { # ZIP
 mkdir suite
 (cd suite && unpack "$suite") 2>/dev/null || skip "the test suite" "cannot unpack $suite"
 
-# compare FILE NAME: one case.
+# compare FILE NAME: one case. The tap rewrites some of what librsvg 2.54 does not know, as clip paths that are clipped: then the
+# list must show what the suite's own picture, beside the drawing, shows.
 compare() {
     local file=$1 name=$2 said status
     "$TAP_SVG" <"$file" >list 2>said
@@ -82,7 +83,7 @@ compare() {
         fail "$name" "exit status $status: $(head -n 1 said)"
     elif grep -qE '<(image|pattern|filter|mask)' "$file"; then
         ok "$name (not compared)"
-    elif ! said=$("$replay" reference.png <list 2>&1); then
+    elif ! said=$("$replay" reference.png <list 2>&1) && ! "$replay" "${file%.svg}.png" <list >more 2>&1; then
         fail "$name" "recall and precision $said"
     else
         ok "$name"
