@@ -41,8 +41,6 @@ static bool has_clip(const char *tag, size_t size) { return g_strstr_len(tag, (g
 
 bool plb_rewrite_is_due(const char *text, size_t size)
 {
-    if (!size)
-        return false;
     static const char *const words[] = {"var(", "oklch(", "oklab(", "lch(", "lab(", "hwb(", "color(", "color-mix(", "light-dark(", "path(",
                                         "textPath", "textLength", "rotate=", "pathLength", "non-scaling-stroke", "transform-origin",
                                         "transform-box", "foreignObject", "<switch", "data:image/svg", "<mask", "<pattern", "<filter", "filter:", "xml-stylesheet"};
