@@ -42,7 +42,6 @@ WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 # division went wrong: the others let them stand in loops.
 CFLAGS_ALL = -std=c17 $(WARN) -fPIC -ffp-contract=off -fno-math-errno -fno-trapping-math -fvisibility=hidden -MMD -MP $(flags_$(BUILD)) \
              $(if $(with_jpeg),-DPLB_WITH_JPEG) $(if $(with_webp),-DPLB_WITH_WEBP) $(if $(with_tiff),-DPLB_WITH_TIFF) \
-             $(if $(with_jpeg),-DPLB_WITH_JPEG) $(if $(with_webp),-DPLB_WITH_WEBP) $(if $(with_tiff),-DPLB_WITH_TIFF) \
              -D_POSIX_C_SOURCE=200809L -Isrc $(CFLAGS)
 # Position-independent programs whose tables of addresses are read-only before the first line runs, no code on the stack.
 LDFLAGS_release = -pie -Wl,-z,relro,-z,now,-z,noexecstack
@@ -141,7 +140,7 @@ tap_twice = $(if $(filter tsan,$(BUILD)),again/)
 tap_base  = $(patsubst src/%.c,$(O)/$(tap_twice)%.o,$(call below,src/base,*.c) $(call below,src/list,*.c) src/tap/common/scan.c)
 tap_common = $(patsubst %,$(O)/tap/common/%.o,$(1))
 script_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/cairoscript*.c)) $(call tap_common,tap_area)
-rewrite_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/rewrite/*.c)) $(call tap_common,tap_colour)
+rewrite_obj = $(patsubst src/%.c,$(O)/%.o,$(call below,src/tap/svg/rewrite,*.c)) $(call tap_common,tap_colour)
 svg_obj   = $(O)/tap/svg/tap_svg.o $(script_obj) $(rewrite_obj) $(call tap_common,tap_memory tap_omissions tap_page) $(tap_base)
 plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain/plain_*.c)) $(call tap_common,tap_area tap_colour tap_page)
 tap_obj   = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tap/ps/%,$(call below,src/tap,*.c)))

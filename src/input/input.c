@@ -4,7 +4,7 @@
  */
 #include "input/input.h"
 
-#include "input/foreign.h"
+#include "input/format/foreign.h"
 
 #include <string.h>
 

@@ -4,7 +4,7 @@
  */
 #include "input/input.h"
 
-#include "list/list_read.h"
+#include "list/text/list_read.h"
 
 /* Gives all bytes at once, the first time. */
 static bool give_file(void *closure, const char **data, size_t *size)

@@ -5,7 +5,7 @@
 #include "input/tap.h"
 
 #include "input/converter.h"
-#include "list/list_read.h"
+#include "list/text/list_read.h"
 
 #include <string.h>
 

@@ -6,7 +6,7 @@
 #define PLB_INPUT_TAP_H
 
 #include "input/input.h"
-#include "list/tap_status.h"
+#include "list/text/tap_status.h"
 
 #define TAP_MAX_ARGUMENTS 8
 

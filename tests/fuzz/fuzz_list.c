@@ -6,8 +6,8 @@
 #include "fuzz.h"
 
 #include "base/array.h"
-#include "list/list_read.h"
-#include "list/list_write.h"
+#include "list/text/list_read.h"
+#include "list/text/list_write.h"
 
 #include <string.h>
 

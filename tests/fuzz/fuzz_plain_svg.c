@@ -5,7 +5,7 @@
  */
 #include "fuzz.h"
 
-#include "list/list_read.h"
+#include "list/text/list_read.h"
 #include "tap/plain/plain_svg.h"
 
 #include <string.h>

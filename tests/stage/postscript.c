@@ -5,7 +5,7 @@
  */
 #include "check.h"
 #include "tap/ps/postscript.h"
-#include "list/list_write.h"
+#include "list/text/list_write.h"
 
 #define MOST ((size_t)1 << 20)
 

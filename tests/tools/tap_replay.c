@@ -10,7 +10,7 @@
  * lines are joined: corners are drawn as SVG's are by default.
  */
 #include "list/display_list.h"
-#include "list/list_read.h"
+#include "list/text/list_read.h"
 
 #include <cairo.h>
 

@@ -5,7 +5,7 @@
  */
 #include "check.h"
 
-#include "list/list_read.h"
+#include "list/text/list_read.h"
 #include "tap/svg/cairoscript.h"
 
 #include <string.h>

@@ -5,8 +5,8 @@
  */
 #include "check.h"
 
-#include "list/list_read.h"
-#include "list/list_write.h"
+#include "list/text/list_read.h"
+#include "list/text/list_write.h"
 
 #define HEAD "plumbago-list 1\npage 100 50\n"
 

@@ -4,7 +4,7 @@
  */
 #include "api/pipeline.h"
 
-#include "list/list_write.h"
+#include "list/text/list_write.h"
 #include "system/output.h"
 #include "surface/picture/picture.h"
 #include "surface/plot/controls.h"

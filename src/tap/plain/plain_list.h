@@ -7,7 +7,7 @@
 #define PLB_TAP_PLAIN_PLAIN_LIST_H
 
 #include "base/array.h"
-#include "list/list_write.h"
+#include "list/text/list_write.h"
 #include "tap/common/tap_page.h"
 #include "tap/plain/plain_path.h"
 #include "tap/plain/plain_style.h"

@@ -4,7 +4,7 @@
  * would make of it. Exit status 0: that is done. 3: it is not plain, a line on standard error says what is not, and nothing was
  * written: tap-svg is to be asked. It links no more than libxml2, so that it starts soon.
  */
-#include "list/tap_status.h"
+#include "list/text/tap_status.h"
 #include "tap/plain/plain_svg.h"
 
 #include <errno.h>

@@ -5,14 +5,14 @@
  *     tap-ps [--page N] [--alone] [--count] <drawing.ps >list
  *
  * --alone: there is no Ghostscript; what it would draw is left out and counted. --count: the list is empty, it only says
- * how many pages there are. Exit statuses are those of list/tap_status.h, and 125: no memory. TAP_HANDED_OVER: Ghostscript
+ * how many pages there are. Exit statuses are those of list/text/tap_status.h, and 125: no memory. TAP_HANDED_OVER: Ghostscript
  * should draw the page; nothing was written, the lines on standard error are for the caller: which sheet (0: all), whether
  * its end is missing, its area in points, where the program starts and how long it is, whether something unknown was met;
  * a reason, and what the user should hear.
  */
 #include "base/number/number.h"
-#include "list/list_write.h"
-#include "list/tap_status.h"
+#include "list/text/list_write.h"
+#include "list/text/tap_status.h"
 #include "tap/common/tap_memory.h"
 #include "tap/ps/postscript.h"
 

@@ -10,7 +10,7 @@
 #include "base/error.h"
 #include "tap/common/scan.h"
 #include "list/display_list.h"
-#include "list/list_write.h"
+#include "list/text/list_write.h"
 
 #include <stdint.h>
 

@@ -14,7 +14,7 @@
  * -9999. No outline is rectilinear once turned by an odd angle. The turn is a style of the root element and not
  * cairo's own matrix, because librsvg takes the latter away again inside groups with opacity.
  */
-#include "list/tap_status.h"
+#include "list/text/tap_status.h"
 #include "tap/common/tap_omissions.h"
 #include "tap/common/tap_page.h"
 #include "tap/svg/cairoscript.h"

@@ -6,8 +6,8 @@
 #ifndef PLB_TAP_SVG_REWRITE_STEPS_H
 #define PLB_TAP_SVG_REWRITE_STEPS_H
 
-#include "tap/svg/rewrite/css.h"
-#include "tap/svg/rewrite/node.h"
+#include "tap/svg/rewrite/document/css.h"
+#include "tap/svg/rewrite/document/node.h"
 #include "tap/svg/rewrite/rewrite.h"
 
 /* The steps share this state. */
