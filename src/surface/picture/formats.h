@@ -41,7 +41,7 @@ struct picture_format {
 
 extern const picture_format plb_png_format, plb_pdf_format, plb_svg_format, plb_jpeg_format, plb_webp_format, plb_tiff_format;
 
-/* What lies behind the graphite in a format: the page's own, or white where pixels have no alpha. */
+/* Gives what lies behind the graphite: the page's own background, or white in formats whose pixels have no alpha. */
 page_background plb_picture_background(const picture_format *f, const picture_page *sheet);
 /* Writes bytes; false when the sink fails, which errno then tells. */
 bool plb_picture_put(picture *p, const void *data, size_t n);
