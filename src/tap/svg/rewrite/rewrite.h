@@ -12,8 +12,6 @@
 
 typedef struct {
     unsigned long text;     /* pieces of text that are set in another way than they should be */
-    unsigned long foreign;  /* foreign objects that are more than a line of text */
-    unsigned long patterns; /* fills with tiles that keep their mean tone only */
     char *style_sheet;      /* the name of a style sheet in a file of its own, which is not read; NULL: none */
 } rewrite_report;
 

@@ -23,6 +23,14 @@ bool plb_node_is_shape(const xmlNode *n)
     return plb_node_is_any(n, shapes);
 }
 
+bool plb_node_is_definition(const xmlNode *n)
+{
+    static const char *const definitions[] = {"clipPath", "mask", "pattern", "marker", NULL};
+    while (n && !plb_node_is_any(n, definitions))
+        n = n->parent;
+    return n != NULL;
+}
+
 static xmlAttr *find_attribute(const xmlNode *n, const char *name)
 {
     xmlAttr *a = n->type == XML_ELEMENT_NODE ? n->properties : NULL;

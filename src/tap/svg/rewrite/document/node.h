@@ -20,6 +20,8 @@ bool plb_node_is(const xmlNode *n, const char *name);
 bool plb_node_is_any(const xmlNode *n, const char *const names[]);
 /* Tells whether `n` is a basic shape or a path, which have an outline. */
 bool plb_node_is_shape(const xmlNode *n);
+/* Tells whether `n` is a clip path, mask, pattern or marker, or lies in one: others are drawn by it. */
+bool plb_node_is_definition(const xmlNode *n);
 
 /* Gives the text of an attribute; NULL when the element has none of that name. */
 char *plb_node_get(const xmlNode *n, const char *name);

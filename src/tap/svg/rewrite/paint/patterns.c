@@ -298,15 +298,11 @@ static void rewrite_fill(rewriting *r, xmlNode *n, const xmlNode *pattern, unsig
 
 void plb_rewrite_patterns(rewriting *r)
 {
-    static const char *const definitions[] = {"clipPath", "mask", "pattern", "marker", NULL};
     unsigned elements = 0;
     xmlNode *top = xmlDocGetRootElement(r->doc);
     GPtrArray *painted = g_ptr_array_new();
     for (xmlNode *n = top; n; n = plb_node_next(n, top)) {
-        const xmlNode *up = n;
-        while (up && !plb_node_is_any(up, definitions))
-            up = up->parent;
-        if (!up && (plb_node_is_shape(n) || plb_node_is(n, "text") || plb_node_is(n, "tspan")))
+        if ((plb_node_is_shape(n) || plb_node_is(n, "text") || plb_node_is(n, "tspan")) && !plb_node_is_definition(n))
             g_ptr_array_add(painted, n);
     }
     for (guint i = 0; i < painted->len; i++) {

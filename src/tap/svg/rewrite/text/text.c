@@ -232,14 +232,10 @@ static void rewrite(rewriting *r, xmlNode *text)
 
 void plb_rewrite_text(rewriting *r)
 {
-    static const char *const definitions[] = {"clipPath", "mask", "pattern", "marker", NULL};
     xmlNode *top = xmlDocGetRootElement(r->doc);
     GPtrArray *texts = g_ptr_array_new();
     for (xmlNode *n = top; n; n = plb_node_next(n, top)) {
-        const xmlNode *up = n;
-        while (up && !plb_node_is_any(up, definitions))
-            up = up->parent;
-        if (plb_node_is(n, "text") && !up)
+        if (plb_node_is(n, "text") && !plb_node_is_definition(n))
             g_ptr_array_add(texts, n);
     }
     for (guint i = 0; i < texts->len; i++)
