@@ -70,6 +70,26 @@ if command -v gs >/dev/null && command -v pdftocairo >/dev/null; then
         skip "no room for temporary files" "no file system may be mounted here"
     fi
     unset TMPDIR
+    # Temporary files count as memory: a drawing of a few lines cannot fill the disk, neither by one large file nor by many small.
+    for fill in '/f null (w) .tempfile exch pop def { f s writestring } loop' '{ /f null (w) .tempfile exch pop def 40 { f s writestring } repeat f flushfile } loop'; do
+        printf '%s\n' '%!PS' '/Helvetica findfont 20 scalefont setfont 10 10 moveto (a) show' '/s 65535 string def' "{ $fill } stopped" showpage >fill.ps
+        mkdir fill
+        (TMPDIR=$PWD/fill exec "$PLUMBAGO" -d 20 --limit-memory 64 -o y.png fill.ps) >"$TMP/out" 2>"$TMP/err" &
+        reader=$!
+        top=0
+        while kill -0 $reader 2>/dev/null; do
+            now=$(du -sk fill 2>/dev/null | cut -f 1)
+            [ "${now:-0}" -le $top ] || top=$now
+            sleep .01
+        done
+        wait $reader
+        is "Ghostscript fills the disk: one line" "$? $(cat "$TMP/err")" \
+            "1 plumbago: fill.ps: Ghostscript writes more temporary files than it may (64 MB)"
+        # The watch looks a few times a second: what is written in between comes on top.
+        check "its temporary files end within the limit: $top KiB" test $top -gt 0 -a $top -le $((64 * 1024 * 7 / 6))
+        is "and are gone" "$(ls fill)" ""
+        rm -rf fill
+    done
     for n in 4 6 8 10; do
         plumbago_few() { (ulimit -n $n; exec "$PLUMBAGO" -q -d 30 -o text.png text.eps) >"$TMP/out" 2>"$TMP/err"; }
         plumbago_few
