@@ -15,7 +15,7 @@ V       = 0
 flags_release = -O2 -DNDEBUG -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2
 flags_debug   = -O0 -g3
 flags_asan    = -O1 -g -fsanitize=address -fno-omit-frame-pointer
-flags_ubsan   = -O1 -g -fsanitize=undefined -fno-sanitize-recover=all
+flags_ubsan   = -O1 -g -fsanitize=undefined,float-cast-overflow -fno-sanitize-recover=all
 flags_tsan    = -O1 -g -fsanitize=thread
 flags_cover   = -O0 -g --coverage
 flags_failing = -O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all -DPLB_TEST_ALLOCATIONS
@@ -234,6 +234,7 @@ fuzz-programs: $(fuzzers:%=$(O)/fuzz_%)
 MINUTES = 1
 .PHONY: fuzz-all
 fuzz-all: fuzz
+	+$(Q)$(MAKE) --no-print-directory BUILD=ubsan all
 	$(Q)tests/fuzz/all.sh build/fuzz $(MINUTES)
 
 .PHONY: asan ubsan tsan

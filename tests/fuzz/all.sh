@@ -1,12 +1,12 @@
 #!/bin/bash
 # SPDX-License-Identifier: MIT
 # Every fuzzer in turn, and the counts: tests/fuzz/all.sh BUILD_DIR MINUTES [NAME...]. Each runs so many minutes of processor time
-# (that of DXF, a Python script, so many by the clock), from the kept inputs and from those that earlier runs found
+# (those of DXF and of the whole program, Python scripts, by the clock), from the kept inputs and from those that earlier runs found
 # (BUILD_DIR/corpus-NAME). What breaks something lies in BUILD_DIR/found-NAME.
 root=$(cd "$(dirname "$0")/../.." && pwd)
 build=$1 minutes=${2:-1}
 shift 2
-[ $# -gt 0 ] || set -- $(cd "$root/tests/fuzz" && ls fuzz_*.c | sed 's/^fuzz_\(.*\)\.c$/\1/') dxf
+[ $# -gt 0 ] || set -- $(cd "$root/tests/fuzz" && ls fuzz_*.c | sed 's/^fuzz_\(.*\)\.c$/\1/') dxf whole
 failed=0
 
 # Waits until process $1 has used $2 seconds of processor time, then asks it to end and report; gives its exit status.
@@ -24,6 +24,11 @@ for name; do
         nice "$root/tests/fuzz/fuzz_dxf.py" "$root/src/tap/dxf/tap_dxf.py" fuzz $((minutes * 60)) 1 "$build/found-dxf" "$root"/tests/fuzz/corpus-dxf/* "$root"/tests/stage/*.dxf >"$log" 2>&1
         code=$?
         printf '%-14s %s\n' dxf "$(tail -n 1 "$log")"
+    elif [ "$name" = whole ]; then
+        nice "$root/tests/fuzz/whole.py" "$build/../ubsan/plumbago" $((minutes * 60)) 1 "$build/found-whole" "$root"/tests/image/*.svg \
+            "$root"/tests/image/*.eps "$root"/tests/stage/*.dxf "$root"/tests/stage/*.ps "$root"/tests/stage/*.list >"$log" 2>&1
+        code=$?
+        printf '%-14s %s\n' whole "$(tail -n 1 "$log")"
     else
         seeds=("$root/tests/fuzz/corpus-$name")
         [ "$name" = profile ] && seeds+=("$root/profiles")

@@ -242,19 +242,26 @@ static void settle(coverage_raster *t, int row, int from, int to, uint32_t name)
     }
 }
 
+/* Gives the whole number at most `k`, within low..high; shapes may lie far beyond what an integer holds. */
+static int floor_within(double k, int low, int high)
+{
+    return k >= high ? high : k > low ? (int)floor(k) : low;
+}
+
 /* Only cells that are within the box, but for those at the page's border, are settled. */
 static void fill(coverage_raster *t, bool even_odd, box within, uint32_t name)
 {
     double cell = t->cells.cell, more = EDGE_MARGIN_MM;
-    int left = within.x0 <= 0 ? 0 : (int)ceil((within.x0 + more) / cell), right = (int)fmin(floor((within.x1 - more) / cell), t->columns) - 1;
-    int top = within.y0 <= 0 ? 0 : (int)ceil((within.y0 + more) / cell), bottom = (int)fmin(floor((within.y1 - more) / cell), t->rows) - 1;
+    int left = within.x0 <= 0 ? 0 : floor_within(ceil((within.x0 + more) / cell), 0, t->columns);
+    int top = within.y0 <= 0 ? 0 : floor_within(ceil((within.y0 + more) / cell), 0, t->rows);
+    int right = floor_within((within.x1 - more) / cell, 0, t->columns) - 1, bottom = floor_within((within.y1 - more) / cell, 0, t->rows) - 1;
     for (int row = top; row <= bottom; row++) {
         int winding = 0;
         for (size_t i = t->first[row]; i + 1 < t->first[row + 1]; i++) {
             winding += even_odd ? 1 : t->at.v[i].way;
             if (even_odd ? !(winding & 1) : winding == 0)
                 continue;
-            int from = (int)fmax(ceil(t->at.v[i].x / cell - .5), left), to = (int)fmin(ceil(t->at.v[i + 1].x / cell - .5) - 1, right);
+            int from = floor_within(ceil(t->at.v[i].x / cell - .5), left, t->columns), to = floor_within(ceil(t->at.v[i + 1].x / cell - .5) - 1, -1, right);
             settle(t, row, from, to, name);
         }
     }
