@@ -141,7 +141,7 @@ tap_base  = $(patsubst src/%.c,$(O)/$(tap_twice)%.o,$(call below,src/base,*.c) $
 tap_common = $(patsubst %,$(O)/tap/common/%.o,$(1))
 script_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/cairoscript*.c)) $(call tap_common,tap_area)
 rewrite_obj = $(patsubst src/%.c,$(O)/%.o,$(call below,src/tap/svg/rewrite,*.c)) $(call tap_common,tap_colour)
-svg_obj   = $(O)/tap/svg/tap_svg.o $(script_obj) $(rewrite_obj) $(call tap_common,tap_memory tap_omissions tap_page) $(tap_base)
+svg_obj   = $(O)/tap/svg/tap_svg.o $(O)/tap/svg/missing_glyphs.o $(script_obj) $(rewrite_obj) $(call tap_common,tap_memory tap_omissions tap_page) $(tap_base)
 plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain/plain_*.c)) $(call tap_common,tap_area tap_colour tap_page)
 tap_obj   = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tap/ps/%,$(call below,src/tap,*.c)))
 $(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/flags

@@ -64,6 +64,8 @@ static bool is_postscript(const char *data, size_t size)
     if (starts_with(data, size, "\xc5\xd0\xd3\xc6", 4)) /* EPS with a DOS header (EPSF 3.0, section 5.2) */
         return true;
     skip_start(&data, &size);
+    if (starts_with(data, size, "\x1b%-12345X", 9) || starts_with(data, size, "@PJL", 4)) /* a printer's job; the tap skips its header */
+        return contains(data, size, "\n%!");
     return starts_with(data, size, "%!", 2);
 }
 

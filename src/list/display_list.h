@@ -29,7 +29,7 @@ typedef struct {
     float red, green, blue, alpha;
 } gradient_stop;
 
-#define GRADIENT_MAX_STOPS 16 /* where there are more, the first ones and the last are kept */
+#define GRADIENT_MAX_STOPS 16 /* where there are more, those that matter least go */
 
 /* A gradient has a colour for each place: between two points, or between two circles. */
 typedef struct {
@@ -108,7 +108,9 @@ double plb_paint_lightness(paint p);
 const gradient *plb_item_gradient(const display_list *list, const item *it);
 /* Returns the gradient's paint at a place (mm), a solid one; alpha 0 where it paints nothing. */
 paint plb_gradient_at(const gradient *g, point mm);
-/* Adds a stop behind the others. */
+/* Tells whether the gradient is at least so opaque (0 to 1) wherever a fill may reach. */
+bool plb_gradient_is_opaque(const gradient *g, double opacity);
+/* Adds a stop behind the others; where there are too many the one goes whose colour its neighbours make best. */
 void plb_gradient_add_stop(gradient *g, gradient_stop stop);
 
 #endif

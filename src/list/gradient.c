@@ -5,6 +5,7 @@
 #include "list/display_list.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Gives the place along a linear gradient: the projection onto its axis. False when it has no axis. */
 static bool linear_offset(const gradient *g, point p, double *t)
@@ -70,18 +71,50 @@ paint plb_gradient_at(const gradient *g, point mm)
     return at;
 }
 
+static bool same_colour(const gradient_stop *a, const gradient_stop *b)
+{
+    return a->red == b->red && a->green == b->green && a->blue == b->blue && a->alpha == b->alpha;
+}
+
+/* Tells how much is lost without stop i: how far its colour lies from what its neighbours would make there, times the stretch between
+ * them, as Visvalingam & Whyatt (1993) weigh the corners of a line. Infinite for the ends and for a step of colour. */
+static double loss_without(const gradient *g, unsigned i)
+{
+    if (i == 0 || i + 1 >= g->n)
+        return INFINITY;
+    const gradient_stop *a = &g->stops[i - 1], *s = &g->stops[i], *b = &g->stops[i + 1];
+    if (s->offset == a->offset || s->offset == b->offset)
+        return same_colour(s, s->offset == a->offset ? a : b) ? 0 : INFINITY;
+    paint p = mix(a, b, s->offset);
+    double apart = fabs(p.red - s->red) + fabs(p.green - s->green) + fabs(p.blue - s->blue) + fabs(p.alpha - s->alpha);
+    return apart * (b->offset - a->offset);
+}
+
 void plb_gradient_add_stop(gradient *g, gradient_stop stop)
 {
     if (g->n && stop.offset < g->stops[g->n - 1].offset) /* SVG: a stop is never before the one in front of it */
         stop.offset = g->stops[g->n - 1].offset;
-    if (g->n == GRADIENT_MAX_STOPS)
+    if (g->n == GRADIENT_MAX_STOPS) {
+        unsigned least = GRADIENT_MAX_STOPS - 1;
+        for (unsigned i = 1; i + 1 < g->n; i++)
+            least = loss_without(g, i) < loss_without(g, least) ? i : least;
+        memmove(&g->stops[least], &g->stops[least + 1], (g->n - 1 - least) * sizeof *g->stops);
         g->n--;
+    }
     g->stops[g->n++] = stop;
+}
+
+bool plb_gradient_is_opaque(const gradient *g, double opacity)
+{
+    bool all = g->n && g->extend != GRADIENT_ENDS;
+    for (unsigned i = 0; all && i < g->n; i++)
+        all = g->stops[i].alpha * g->opacity >= opacity;
+    return all;
 }
 
 static bool same_stop(const gradient_stop *a, const gradient_stop *b)
 {
-    return a->offset == b->offset && a->red == b->red && a->green == b->green && a->blue == b->blue && a->alpha == b->alpha;
+    return a->offset == b->offset && same_colour(a, b);
 }
 
 static bool same_point(point a, point b) { return a.x == b.x && a.y == b.y; }

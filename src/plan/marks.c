@@ -18,6 +18,11 @@
 
 /* A stroke that differs by so much in lightness from the fill that it goes round is an edge (chosen by eye). */
 #define EDGE_CONTRAST 0.2
+/* A dot of lettering, or a pair of dots, is at most so broad against a letter's longer side, at most so far from that letter, and painted at most so many items
+ * before or after it (chosen by eye). */
+#define DOT_SIZE 0.4
+#define DOT_NEAR 0.8
+#define DOT_ITEMS 2u
 
 static stroke_style style_of(const plan_context *p, const item *it)
 {
@@ -92,6 +97,27 @@ static bool add_letters(const plan_context *p, size_t i, bool outlined, bool *ta
     return !*taken || text != TEXT_OUTLINE || outlined || add_outline(p, it, out, err);
 }
 
+/* Tells whether a fill is a stop, a comma or the dot of an i: small against a letter beside it that is painted just before or after it. Where
+ * lettering is drawn a dot by itself comes out right; where it is left out, or outlined, the dot must go with it. */
+static bool belongs_to_letter(const plan_context *p, size_t i, bool *belongs, error *err)
+{
+    const display_list *list = p->list;
+    box b = plb_path_bounds(&list->items.v[i].path);
+    double w = b.x1 - b.x0, high = b.y1 - b.y0;
+    track_list letter = {0};
+    bool ok = true;
+    *belongs = false;
+    for (size_t k = i > DOT_ITEMS ? i - DOT_ITEMS : 0; ok && !*belongs && k <= i + DOT_ITEMS && k < list->items.n; k++) {
+        const item *it = &list->items.v[k];
+        box n = plb_path_bounds(&it->path);
+        double h = fmax(n.x1 - n.x0, n.y1 - n.y0), apart = fmax(fmax(n.x0 - b.x1, b.x0 - n.x1), fmax(n.y0 - b.y1, b.y0 - n.y1));
+        bool is_near = k != i && it->kind == ITEM_FILL && apart < DOT_NEAR * h && fmin(w, high) < DOT_SIZE * h && fmax(w, high) < h;
+        ok = !is_near || plb_plan_letter(it, p->options, belongs, &letter, err);
+    }
+    plb_tracks_free(&letter);
+    return ok;
+}
+
 static bool add_fill(const plan_context *p, size_t i, track_list *out, bool *stands_for_next, error *err)
 {
     const item *it = &p->list->items.v[i];
@@ -103,6 +129,12 @@ static bool add_fill(const plan_context *p, size_t i, track_list *out, bool *sta
     bool has_edge = outlined_before || (outlined_after && is_edge(it, it + 1));
     if (!is_blot && !has_edge && !add_letters(p, i, outlined, &is_letter, out, stands_for_next, err))
         return false;
+    if (!is_letter && p->options->text != TEXT_HAND) {
+        if (!belongs_to_letter(p, i, &is_letter, err))
+            return false;
+        if (is_letter && p->options->text == TEXT_OUTLINE && !outlined)
+            return add_outline(p, it, out, err);
+    }
     if (is_letter)
         return true;
     if (fill == FILL_HATCH && !plb_plan_hatch(&p->hatcher, it, style_of(p, it).colour, &outline, out, err))

@@ -63,6 +63,22 @@ if [ $((x1 - x0)) -eq 10 ] && [ $x1 -eq 25 ]; then ok "a letter turned by 90 deg
 text 10 20 20 30 1 '</text><rect width="99" height="99"/>' >text.dxf
 is "markup in a text is text" "$("$PLUMBAGO" -q --dump=list text.dxf | grep -c 'M [0-9. e-]* L [0-9. e-]* L [0-9. e-]* L [0-9. e-]* Z$' | awk '{ print $1 < 30 }')" 1
 
+# Polylines: the frame of a spline is not drawn, and no SEQEND is needed; line types with letters are dashed, and the letters counted.
+vertices() { # FLAG X Y ...
+    local flag=$1
+    shift
+    while [ $# -gt 1 ]; do printf '%s\n' 0 VERTEX 8 0 10 "$1" 20 "$2" 70 "$flag"; shift 2; done
+}
+{ printf '%s\n' 0 SECTION 2 ENTITIES 0 POLYLINE 8 0 66 1 70 4; vertices 16 0 0 50 90 99 0; vertices 8 0 0 50 30 99 0; printf '%s\n' 0 SEQEND 0 ENDSEC 0 EOF; } >frame.dxf
+is "the frame of a spline is left out" "$("$PLUMBAGO" -q --dump=list frame.dxf | grep '^stroke' | grep -o '[ML] [0-9]' | wc -l)" 3
+{ printf '%s\n' 0 SECTION 2 ENTITIES 0 POLYLINE 8 0 66 1 70 0; vertices 0 0 0 50 30 99 0; printf '%s\n' 0 LINE 8 0 10 0 20 9 11 99 21 9 0 ENDSEC 0 EOF; } >open.dxf
+is "a polyline without its end, and what follows" "$("$PLUMBAGO" -q --dump=list open.dxf | grep -c '^stroke')" 2
+{ printf '%s\n' 0 SECTION 2 TABLES 0 TABLE 2 LTYPE 0 LTYPE 2 GAS 70 0 3 gas 72 65 73 3 40 9.5 49 5 74 0 49 -2 74 2 75 0 340 0 46 1 50 0 44 0 45 0 9 GAS 49 -2.5 74 0
+  printf '%s\n' 0 ENDTAB 0 ENDSEC 0 SECTION 2 ENTITIES 0 LINE 8 0 6 GAS 10 0 20 0 11 200 21 0 0 ENDSEC 0 EOF; } >gas.dxf
+is "a line type with letters is dashed" "$("$PLUMBAGO" -q --dump=list gas.dxf | grep -c ' dash ')" 1
+plumbago -o x.png gas.dxf
+if grep -q 'left out: the letters and shapes in the line types of 1 line$' "$TMP/err"; then ok "its letters are counted"; else fail "its letters are counted" "$(head -n 1 "$TMP/err")"; fi
+
 # Faults.
 printf '%s\n' 0 SECTION 2 ENTITIES 0 LINE 8 0 10 zero 20 0 11 9 21 9 0 ENDSEC 0 EOF >word.dxf
 refuses "a word for a coordinate names its line" "word\.dxf:1[0-9]: not well-formed DXF: " word.dxf

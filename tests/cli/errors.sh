@@ -32,6 +32,7 @@ named "a WebP" 'a raster picture \(WebP\)' 'RIFF\0001\0001\0001\0001WEBPVP8 '
 named "a TIFF" 'a raster picture \(TIFF\)' 'II*\0000\0010'
 named "a DWG" 'an AutoCAD drawing \(DWG\): save it as DXF' 'AC1015\0000\0000'
 named "HPGL" 'a plot \(HPGL\): hp2xx' 'IN;SP1;PU10,10;PD20,20;'
+printf '<?xml version="1.0"?>\n<!-- a > b -->\n<mxfile host="a"><diagram/></mxfile>' >flow.drawio && refuses "a file of draw.io" 'flow\.drawio: this is a draw\.io file: export it as SVG' flow.drawio
 named "a zip" 'an archive' 'PK\0003\0004'
 printf '%%!PS\n10 10 moveto 20 20 lineto stroke showpage\n' | gzip >packed.ps.gz
 refuses "packed PostScript" 'packed\.ps\.gz: packed \(gzip\) PostScript: unpack it first' packed.ps.gz

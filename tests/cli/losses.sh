@@ -38,6 +38,8 @@ warns "blend modes" "left out: 1 blend mode" blend.svg
 svg unseen <<<"$line<path d='M500 500h50' stroke='black'/>"
 warns "what lies off the page is no cause for a warning" "" unseen.svg
 details "-v: but is told" "unseen.svg: shapes off the page: 1, left out"
+svg glyphs <<<"$line<text x='9' y='9'>a&#x10FFFD;</text>"
+warns "a character that no font has" "no font here has a character of the text, which is drawn as a box: U+10FFFD" glyphs.svg
 svg many <<<"<filter id='f'><feOffset/></filter><g filter='url(#f)'>$line</g>$picture<foreignObject/>"
 warns "several kinds: one warning" "left out: 1 raster image, 1 foreign object, 1 filter" many.svg
 plumbago -q --dump=list many.svg

@@ -126,6 +126,10 @@ same "hand is the default for text" text-hand.png text.png
 is "--text hand makes an L of two strokes and a T of two" "$("$PLUMBAGO" --text hand --dump=strokes text.svg | grep -c letter)" 4
 is "--text outline draws 6 sides and 8" "$("$PLUMBAGO" --text outline --dump=strokes text.svg | grep -c '^stroke ')" 15
 is "--text none leaves the line" "$("$PLUMBAGO" --text none --dump=strokes text.svg | grep -c '^stroke ')" 1
+cat >stop.svg <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="20mm" viewBox="0 0 40 20"><path d="M5 5h.5v5h-.5z"/><path d="M6 9.4h.6v.6h-.6z"/><path d="M30 9.4h.6v.6h-.6z"/></svg>
+SVG
+is "--text none: a stop goes with the letter beside it, another dot stays" "$("$PLUMBAGO" --text none --dump=strokes stop.svg | awk '/^stroke / { if ($7 < 20) near++; else far++ } END { print near + 0, (far > 0) }')" "0 1"
 misused "--text of another name" text --text gold text.svg
 
 draws "--hand right" --hand right -o right.png a.svg

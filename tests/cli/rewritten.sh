@@ -62,6 +62,11 @@ alike "a line of HTML" \
     "<text x='70' y='33.5' font-size='10' text-anchor='middle'>valve</text>"
 alike "tiles of lines" "<pattern id='p' width='10' height='10' patternUnits='userSpaceOnUse'><path d='M0 5h10' $line/></pattern><rect width='20' height='10' fill='url(#p)'/>" \
     "<path d='M0 5h10' $line/><path d='M10 5h10' $line/>"
+alike "a grid along the tile's sides is half as wide" "<pattern id='p' width='10' height='10' patternUnits='userSpaceOnUse'><path d='M0 10V0H10' stroke-width='2' $line/></pattern><rect width='10' height='10' fill='url(#p)'/>" \
+    "<path d='M0 10V0H10' stroke-width='1' $line/>"
+pixel='iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGOIAgAAXABb2LRWWgAAAABJRU5ErkJggg=='
+alike "an opaque picture lays paper" "<image x='20' y='20' width='40' height='20' preserveAspectRatio='none' xlink:href='data:image/png;base64,$pixel'/>" \
+    "<rect x='20' y='20' width='40' height='20' fill='#fff'/>"
 
 # shows NAME BODY ITEMS: so many items are left on the list that leave a mark.
 shows() {
@@ -80,5 +85,7 @@ inside() {
 inside "a mask of a white shape clips" "<mask id='m'><rect x='40' y='0' width='40' height='99' fill='#fff'/></mask><path d='M0 50h200' mask='url(#m)' $line/>" 20,0,40,49.5
 inside "a black shape in a mask is cut out" \
     "<mask id='m'><rect width='200' height='120' fill='white'/><rect x='0' width='100' height='120' fill='black'/></mask><g mask='url(#m)'><path d='M0 50h200' $line/></g>" 50,0,100,60
+inside "a soft mask clips to what it lets through" \
+    "<radialGradient id='g'><stop offset='0' stop-color='#fff'/><stop offset='1' stop-color='#fff' stop-opacity='0'/></radialGradient><mask id='m'><circle cx='100' cy='60' r='40' fill='url(#g)'/></mask><path d='M0 60h200' mask='url(#m)' $line/>" 30,0,70,60
 inside "a clip path that is clipped" \
     "<clipPath id='b'><rect x='60' width='140' height='120'/></clipPath><clipPath id='a' clip-path='url(#b)'><rect width='100' height='120'/></clipPath><path d='M0 50h200' clip-path='url(#a)' $line/>" 30,0,50,60

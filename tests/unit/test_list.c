@@ -311,6 +311,22 @@ static void a_full_disk_is_told(void)
     plb_list_free(&l);
 }
 
+/* A ramp of 200 steps with a black band keeps its ends, its slope and the band. */
+static void stops_that_matter_least_go(void)
+{
+    gradient g = {.to_space = MATRIX_IDENTITY, .to = {1, 0}, .opacity = 1, .extend = GRADIENT_PAD};
+    for (int i = 0; i <= 200; i++) {
+        float v = i < 100 || i > 120 ? (float)i / 200 : 0;
+        plb_gradient_add_stop(&g, (gradient_stop){i / 200., v, v, v, 1});
+    }
+    CHECK(g.n == GRADIENT_MAX_STOPS && g.stops[0].red == 0 && g.stops[g.n - 1].red == 1);
+    CHECK(fabs(plb_gradient_at(&g, (point){.25, 0}).red - .25) < .02 && fabs(plb_gradient_at(&g, (point){.8, 0}).red - .8) < .02);
+    CHECK(plb_gradient_at(&g, (point){.55, 0}).red < .02);
+    CHECK(plb_gradient_is_opaque(&g, .95));
+    g.stops[3].alpha = 0;
+    CHECK(!plb_gradient_is_opaque(&g, .95));
+}
+
 int main(void)
 {
     RUN(the_text_comes_back_in_pieces_of_any_size);
@@ -324,5 +340,6 @@ int main(void)
     RUN(no_word_is_longer_than_its_room);
     RUN(no_limit_is_passed);
     RUN(a_full_disk_is_told);
+    RUN(stops_that_matter_least_go);
     CHECK_EXIT;
 }

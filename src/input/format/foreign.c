@@ -4,12 +4,16 @@
  */
 #include "input/format/foreign.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <string.h>
 #include <zlib.h>
 
+/* An XML document tells its kind within so many bytes. */
+#define LOOK_BYTES ((size_t)4096)
 #define NO_LINES "it has no lines to draw; trace it first (Debian: potrace, or Inkscape)"
 #define METAFILE "Inkscape saves it as SVG"
+#define DIAGRAM "export it as SVG there (with the font embedded, or as PDF)"
 #define PLOT "hp2xx -m eps turns it into EPS (Debian: hp2xx)"
 
 /* The bytes `sign` stand at `offset`. */
@@ -40,12 +44,50 @@ static const struct {
     {" EMF", 4, 40, {"a Windows metafile (EMF)", METAFILE}},
 };
 
+/* XML documents by the name of their first element. */
+static const struct {
+    const char *name;
+    foreign_format is;
+} roots[] = {
+    {"mxfile", {"a draw.io file", DIAGRAM}},
+    {"mxGraphModel", {"a draw.io file", DIAGRAM}},
+    {"html", {"a web page (HTML)", "print it to PDF, or save the drawing in it as SVG"}},
+};
+
+/* Gives the part of an XML document from its first element's name on; NULL: there is none. */
+static const char *find_root(const char *data, const char *end)
+{
+    while (data < end && (data = memchr(data, '<', (size_t)(end - data)))) {
+        bool is_comment = end - data > 4 && !memcmp(data, "<!--", 4);
+        if (end - data < 2 || (data[1] != '?' && data[1] != '!'))
+            return data + 1;
+        /* Declarations end at the first '>', comments at "-->". */
+        for (data += 2; data < end && (*data != '>' || (is_comment && memcmp(data - 2, "--", 2) != 0)); data++)
+            ;
+    }
+    return NULL;
+}
+
+static const foreign_format *find_by_root(const char *data, size_t size)
+{
+    size_t blank = 0;
+    while (blank < size && memchr("\xef\xbb\xbf \t\r\n", data[blank], 7))
+        blank++;
+    const char *end = data + size, *name = blank < size && data[blank] == '<' ? find_root(data + blank, end) : NULL;
+    for (size_t i = 0; name && i < sizeof roots / sizeof *roots; i++) {
+        size_t n = strlen(roots[i].name);
+        if ((size_t)(end - name) > n && !memcmp(name, roots[i].name, n) && memchr(" \t\r\n>/", name[n], 6))
+            return &roots[i].is;
+    }
+    return NULL;
+}
+
 const foreign_format *plb_foreign_find(const char *data, size_t size)
 {
     for (size_t i = 0; i < sizeof signs / sizeof *signs; i++)
         if (size >= signs[i].offset + signs[i].length && !memcmp(data + signs[i].offset, signs[i].sign, signs[i].length))
             return &signs[i].is;
-    return NULL;
+    return find_by_root(data, size < LOOK_BYTES ? size : LOOK_BYTES);
 }
 
 size_t plb_gzip_look_inside(const char *data, size_t size, char *start, size_t room)

@@ -22,6 +22,8 @@
 /* A fill that covers this part of the page and is no darker than PAPER_DARKNESS is its paper. */
 #define PAPER_COVER 0.97
 #define PAPER_DARKNESS 0.45
+/* A gradient that is anywhere more transparent than this may fade out before the shape's edge: it gets no outline (chosen by eye). */
+#define EDGE_OPACITY 0.5
 /* A gradient is looked at in so many places across and down. */
 #define LOOKS 16
 /* The lines of a drawing's hatching are held by wider spacing to about what covers the page so many times in the darkest
@@ -115,13 +117,15 @@ bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *o
     *outline = true;
     if (ok && s.area > 0 && t.gradient)
         darkness = darkest_of(&t, &s, &mean);
-    if (ok && s.area > 0 && is_paper(h, &s, mean)) {
+    bool has_edge = !t.gradient || plb_gradient_is_opaque(t.gradient, EDGE_OPACITY);
+    if (ok && s.area > 0 && has_edge && is_paper(h, &s, mean)) {
         *outline = false;
     } else if (ok && s.area > 0 && darkness >= MIN_DARKNESS) {
         bool solid = false;
         m.style.pressure = (float)plb_technique(mean, 0).pressure;
         ok = plb_is_solid(&s, h->options->pencil_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, &t, darkness, &m));
     }
+    *outline = *outline && has_edge;
     plb_shape_free(&s);
     return ok;
 }

@@ -63,9 +63,12 @@ struct occluders {
 /* ---- which areas ---- */
 
 /* A veil of paper, as legends lay behind their words, hides as well. */
-static bool is_opaque(const item *it)
+static bool is_opaque(const display_list *list, const item *it)
 {
     const paint *p = &it->paint;
+    const gradient *g = plb_item_gradient(list, it);
+    if (g)
+        return plb_gradient_is_opaque(g, OPAQUE);
     bool is_veil = p->kind == PAINT_SOLID && p->alpha >= VEIL && fmin(p->red, fmin(p->green, p->blue)) >= VEIL_LIGHT;
     return (p->alpha >= OPAQUE || is_veil) && p->kind != PAINT_PATTERN;
 }
@@ -79,9 +82,9 @@ static double hiding_width(const item *it, const plan_options *o)
     return plb_leaves_mark(it) ? plb_is_wide(it, o) ? it->width : 0 : fmax(it->width, GAP_WIDTHS * o->pencil_width);
 }
 
-static bool hides(const item *it, const plan_options *o)
+static bool hides(const display_list *list, const item *it, const plan_options *o)
 {
-    return (it->kind == ITEM_FILL || hiding_width(it, o) > 0) && is_opaque(it);
+    return (it->kind == ITEM_FILL || hiding_width(it, o) > 0) && is_opaque(list, it);
 }
 
 static box intersect(box a, box b)
@@ -175,7 +178,7 @@ static bool has_box_clips(const occluders *c, const item *it)
 static bool look_at_shape(occluders *c, size_t i, box within)
 {
     const item *it = &c->list->items.v[i];
-    bool covers = hides(it, c->options) && has_box_clips(c, it);
+    bool covers = hides(c->list, it, c->options) && has_box_clips(c, it);
     if (it->kind == ITEM_FILL)
         return plb_coverage_add(c->raster, &it->path, it->even_odd, within, covers, i, &c->hidden[i], c->err);
     path outline = {0};
@@ -219,7 +222,7 @@ occluders *plb_occluders_new(const display_list *list, const plan_options *o, cl
         c->err = err;
     }
     for (size_t i = 0; ok && i < list->items.n; i++)
-        ok = !hides(&list->items.v[i], o) || add_area(c, i);
+        ok = !hides(list, &list->items.v[i], o) || add_area(c, i);
     if (ok && build(c) && find_hidden(c))
         return c;
     plb_occluders_free(c);
@@ -479,7 +482,7 @@ bool plb_plan_hide(occluders *c, size_t i, const track_list *in, track_list *out
 bool plb_plan_fuse(occluders *c, size_t i, const track_list *in, track_list *out, error *err)
 {
     trim_rule exact = {cross_below, stands_out, c};
-    bool ok = true, is_part, fuses = is_opaque(&c->list->items.v[i]);
+    bool ok = true, is_part, fuses = is_opaque(c->list, &c->list->items.v[i]);
     c->query_item = i;
     c->err = err;
     for (size_t k = 0; ok && k < in->tracks.n; k++) {

@@ -80,8 +80,8 @@ try:
     from ezdxf.addons.drawing.config import Configuration, LinePolicy
     from ezdxf.addons.drawing.properties import Filling, LayoutProperties
     from ezdxf.audit import AuditError
-    from ezdxf.entities import DXFTagStorage, Insert, factory
-    from ezdxf.lldxf.types import is_valid_handle
+    from ezdxf.entities import DXFTagStorage, Insert, factory, ltype
+    from ezdxf.lldxf.types import DXFTag, is_valid_handle
     from ezdxf.math import Vec2
     from ezdxf.path import Command, make_path
     from ezdxf.render import hatching
@@ -102,6 +102,7 @@ WEIGHT_MIN = 0.13       # mm: of a line; the finest pen of ISO 128-2
 PATTERN_MIN = 0.8       # mm: shorter dash patterns look like a solid line; chosen by eye
 HATCH_MIN = 0.4         # mm: pattern lines that are closer become a tone; chosen by eye
 HATCH_LINES = 20000     # so many lines of one hatch at most; beyond it becomes a tone
+FRAME = 16              # flag of a vertex that is a control point of a spline
 COPIES = 100000         # of one INSERT at most; beyond it is left out: they would take longer than there is. Chosen by eye
 BRIGHT = 0.45           # luma: brighter colours are meant for a dark screen and darkened for paper; chosen by eye
 
@@ -201,6 +202,8 @@ class Recorder(BackendInterface):
         self.reaches = []  # the extents of each item; empty where it has none of its own
         self.extents = Extents()  # of the item that is being recorded, then of all
         self.insane = 0
+        self.lettered = 0  # lines whose line type has letters or shapes, which are left out
+        self.lettered_types = ()
         self.width = None  # of the line, drawing units, when a polyline has its own
 
     def keep(self, how, *what):
@@ -302,6 +305,7 @@ class Recorder(BackendInterface):
         self.stroke(steps, properties)
 
     def stroke(self, steps, properties):
+        self.lettered += bool(steps) and properties.linetype_name.upper() in self.lettered_types
         if steps:
             dashes = [d * properties.linetype_scale for d in properties.linetype_pattern]
             self.keep("stroke", steps, properties.color, properties.lineweight, self.width, dashes)
@@ -354,12 +358,23 @@ class Recorder(BackendInterface):
         return False
 
 
+def dashes_of(linetype):
+    """The dashes and gaps of a line type with letters or shapes, which the library takes for a solid one."""
+    tags = linetype.pattern_tags.tags
+    elements = [tag.value for tag in tags if tag.code == 49]
+    length = next((tag.value for tag in tags if tag.code == 40), 0.0)
+    return ltype.compile_line_pattern(length or None, elements) if len(elements) > 1 else ()
+
+
 class Paper(RenderContext):
     """White paper, no plot style files, and a block on a frozen layer is not there."""
 
     def set_current_layout(self, layout, ctb=""):
         self.current_layout_properties = LayoutProperties(layout.name, "#ffffff", units=layout.units)
         self.plot_styles = self._load_plot_style_table("")
+        lettered = {t.dxf.name.upper(): dashes_of(t) for t in layout.doc.linetypes if t.pattern_tags.is_complex_type()}
+        self.line_pattern.update(lettered)
+        self.lettered_types = set(lettered)
         self.layers = self._setup_layers(layout.doc)
         self.frozen = {layer.dxf.name.lower() for layer in layout.doc.layers if layer.is_frozen()}
 
@@ -419,6 +434,8 @@ class Draughtsman(Frontend):
             self.out.draw_ray(entity.dxf.start, entity.dxf.unit_vector, entity.dxftype() == "XLINE", properties)
 
     def draw_polyline_entity(self, entity, properties):
+        if entity.dxftype() == "POLYLINE":  # the frame of a spline is for those who bend it (DXF Reference, VERTEX, code 70)
+            entity.vertices[:] = [v for v in entity.vertices if not v.dxf.get("flags", 0) & FRAME] or entity.vertices
         self.out.width = same_width(entity)
         if self.out.width is None:
             super().draw_polyline_entity(entity, properties)
@@ -614,12 +631,25 @@ def sane_variables(tags):
     return kept
 
 
+def end_sequences(tags):
+    """The tags of a section with the SEQEND that follows a polyline's vertices, or a block's attributes, where some program left it out."""
+    out, is_open = [], False
+    for tag in tags:
+        if tag[0] == 0:
+            if is_open and tag[1] not in ("VERTEX", "ATTRIB", "SEQEND"):
+                out.append(DXFTag(0, "SEQEND"))
+            is_open = tag[1] in ("VERTEX", "ATTRIB")
+        out.append(tag)
+    return out + ([DXFTag(0, "SEQEND")] if is_open else [])
+
+
 def rebuild_sections(self, tags, rebuild=recover.Recover.rebuild_sections):
     """Without what the library fails on: sections of nothing, not even a name, and header variables that are none."""
     sections = [[*section] for section in rebuild(self, tags)]
     if sections[-1][:1] != [(0, "SECTION")]:  # what stands outside of all; variables are looked for there, too
         sections[-1] = sane_variables(sections[-1])
     sections = [section[:2] + sane_variables(section[2:]) if section[1:2] == [(2, "HEADER")] else section for section in sections]
+    sections = [end_sequences(section) for section in sections[:-1]] + sections[-1:]
     return [section for section in sections[:-1] if len(section) > 1] + [sections[-1] if len(sections[-1]) > 1 else []]
 
 
@@ -702,6 +732,8 @@ def report(data, recorder, hand, auditor):
     lined = sum(data.count(code) for code in (b"%%u", b"%%U", b"%%o", b"%%O"))
     if lined:
         say("warning", f"{lined} underlines and overlines of text are left out")
+    if recorder.lettered:
+        say("warning", f"left out: the letters and shapes in the line types of {recorder.lettered} line{'s' * (recorder.lettered > 1)}")
     if recorder.insane:
         say("warning", f"left out: {recorder.insane} with impossible coordinates")
     if not is_whole(data):
@@ -722,7 +754,10 @@ def draw(data):
     recorder = Recorder()
     config = Configuration.defaults().with_changes(
         pdmode=None, pdsize=None, line_policy=LinePolicy.SOLID, hatching_timeout=math.inf)
-    hand = Draughtsman(Paper(document, export_mode=True), recorder, config)
+    paper = Paper(document, export_mode=True)
+    paper.set_current_layout(layout)
+    recorder.lettered_types = paper.lettered_types
+    hand = Draughtsman(paper, recorder, config)
     hand.draw_layout(layout)
     strayed = recorder.settle()
     if strayed:

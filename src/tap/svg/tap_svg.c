@@ -18,6 +18,7 @@
 #include "tap/common/tap_omissions.h"
 #include "tap/common/tap_page.h"
 #include "tap/svg/cairoscript.h"
+#include "tap/svg/missing_glyphs.h"
 #include "tap/svg/rewrite/rewrite.h"
 
 #include <cairo-script.h>
@@ -428,6 +429,10 @@ static void write_list(RsvgHandle *svg, const GByteArray *text, const tap_page *
         plb_list_writer_message(&out, MESSAGE_WARNING, "there is no font here: its text is left out (Debian: fonts-dejavu-core)");
         no_text = true;
     }
+    char *boxes = no_text ? NULL : plb_tap_missing_glyphs((const char *)text->data, text->len);
+    if (boxes)
+        plb_list_writer_message(&out, MESSAGE_WARNING, boxes);
+    g_free(boxes);
     bool by_style = turn_by_style(svg, text, p, no_text);
     plb_list_writer_matrix(&out, sheet.to_page);
     from_cairo.script = plb_cairoscript_new(&out, sheet.width, sheet.height, sheet.to_page);

@@ -43,7 +43,7 @@ bool plb_rewrite_is_due(const char *text, size_t size)
 {
     static const char *const words[] = {"var(", "oklch(", "oklab(", "lch(", "lab(", "hwb(", "color(", "color-mix(", "light-dark(", "path(",
                                         "textPath", "textLength", "rotate=", "pathLength", "non-scaling-stroke", "transform-origin",
-                                        "transform-box", "foreignObject", "<switch", "data:image/svg", "<mask", "<pattern", "<filter", "filter:", "xml-stylesheet"};
+                                        "transform-box", "foreignObject", "<switch", "<image", "data:image/svg", "<mask", "<pattern", "<filter", "filter:", "xml-stylesheet"};
     if (!size) /* there may be no text at all, only NULL */
         return false;
     for (size_t i = 0; i < G_N_ELEMENTS(words); i++)

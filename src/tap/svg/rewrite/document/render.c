@@ -10,12 +10,14 @@
 
 /* Makes a document of its own: the definitions of `r` and an empty view for what is to be looked at. The caller frees
  * it with xmlFreeDoc. */
-static xmlDoc *start_document(rewriting *r, xmlNode **root)
+static xmlDoc *start_document(rewriting *r, bool is_alone, xmlNode **root)
 {
     const xmlNode *old = xmlDocGetRootElement(r->doc);
     xmlDoc *doc = xmlNewDoc((const xmlChar *)"1.0");
     *root = xmlDocCopyNode((xmlNode *)(guintptr)old, doc, 2); /* the element with its attributes alone */
     xmlDocSetRootElement(doc, *root);
+    if (is_alone)
+        return doc;
     xmlNode *defs = xmlNewChild(*root, (*root)->ns, (const xmlChar *)"defs", NULL);
     for (const xmlNode *c = old->children; c; c = c->next)
         xmlAddChild(defs, xmlDocCopyNode((xmlNode *)(guintptr)c, doc, 1));
@@ -94,22 +96,129 @@ static void set_view(xmlNode *root, box view)
 
 static bool may_render(rewriting *r, box view) { return r->renders++ < MAX_RENDERS && view.x1 > view.x0 && view.y1 > view.y0; }
 
-bool plb_render_mean(rewriting *r, const xmlNode *content, box view, double mean[4])
+/* Renders the children of `content`; NULL: nothing could be rendered. The caller destroys the result. */
+static cairo_surface_t *rasterize_content(rewriting *r, const xmlNode *content, box view, bool is_alone)
 {
     if (!may_render(r, view))
-        return false;
+        return NULL;
     xmlNode *root;
-    xmlDoc *doc = start_document(r, &root);
+    xmlDoc *doc = start_document(r, is_alone, &root);
     set_view(root, view);
     for (const xmlNode *c = content->children; c; c = c->next)
         xmlAddChild(root, xmlDocCopyNode((xmlNode *)(guintptr)c, doc, 1));
     cairo_surface_t *image = rasterize(doc);
+    xmlFreeDoc(doc);
+    return image;
+}
+
+bool plb_render_mean(rewriting *r, const xmlNode *content, box view, double mean[4])
+{
+    cairo_surface_t *image = rasterize_content(r, content, view, false);
     if (image)
         average(image, NULL, mean);
     cairo_surface_destroy(image);
-    xmlFreeDoc(doc);
     return image != NULL;
 }
+
+/* ---- outlines ----------------------------------------------------------------------------------------------- */
+
+/* A stencil says which pixels of the raster are inside, with a rim of pixels that are not. */
+typedef struct {
+    bool in[RASTER + 2][RASTER + 2];   /* [y][x] */
+    bool seen[RASTER + 2][RASTER + 2]; /* the upper side of the pixel has been followed */
+    box view;
+} stencil;
+
+/* Finds the pixels that are strong enough, counts them and gives their mean. */
+static int find_strong(const cairo_surface_t *image, bool by_alpha, double least, stencil *s, double *mean)
+{
+    int n = 0;
+    *mean = 0;
+    for (int y = 0; y < RASTER; y++)
+        for (int x = 0; x < RASTER; x++) {
+            guint32 pixel = pixel_at(image, x, y); /* premultiplied */
+            double alpha = (pixel >> 24) / 255.0, light = (0.2125 * (pixel >> 16 & 255) + 0.7154 * (pixel >> 8 & 255) + 0.0721 * (pixel & 255)) / 255;
+            double strength = by_alpha ? alpha : light;
+            s->in[y + 1][x + 1] = strength >= least;
+            n += strength >= least;
+            *mean += strength >= least ? strength : 0;
+        }
+    *mean = n ? *mean / n : 0;
+    return n;
+}
+
+/* A corner of an outline, in half pixels. */
+typedef struct {
+    int x, y;
+} corner;
+
+/* Adds a corner; one that lies on the way from the one before to this goes. */
+static void add_corner(GArray *out, int x, int y)
+{
+    corner c = {x, y}, *v = (corner *)(void *)out->data;
+    guint n = out->len;
+    bool is_straight = n > 1 && (v[n - 1].x - v[n - 2].x) * (y - v[n - 1].y) == (v[n - 1].y - v[n - 2].y) * (x - v[n - 1].x);
+    if (is_straight || (n && v[n - 1].x == x && v[n - 1].y == y))
+        v[n - 1] = c;
+    else
+        g_array_append_val(out, c);
+}
+
+static void write_outline(const stencil *s, const GArray *corners, GString *out)
+{
+    for (guint i = 0; i < corners->len; i++) {
+        corner c = g_array_index(corners, corner, i);
+        double x = s->view.x0 + c.x / 2.0 / RASTER * (s->view.x1 - s->view.x0), y = s->view.y0 + c.y / 2.0 / RASTER * (s->view.y1 - s->view.y0);
+        char text[2][G_ASCII_DTOSTR_BUF_SIZE];
+        g_string_append_printf(out, "%c%s %s ", i ? 'L' : 'M', g_ascii_formatd(text[0], sizeof text[0], "%.9g", x), g_ascii_formatd(text[1], sizeof text[1], "%.9g", y));
+    }
+    g_string_append_c(out, 'Z');
+}
+
+/* Follows an outline from the upper side of pixel (x, y) on, the inside at its right hand, through the middles of the pixels' sides: so
+ * the stairs of a slanting edge become an even line. At the raster's border the outline goes through the corners. */
+static void follow(stencil *s, GString *out, int x, int y)
+{
+    static const int step[4][2] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}};
+    static const int right[4][2] = {{0, 0}, {-1, 0}, {-1, -1}, {0, -1}}; /* the pixel ahead at the right, from the corner, for each way */
+    static const int left[4][2] = {{0, -1}, {0, 0}, {-1, 0}, {-1, -1}};
+    GArray *corners = g_array_new(FALSE, FALSE, sizeof(corner));
+    int cx = x, cy = y, way = 0; /* the corner that the side starts at, upper left of pixel (cx, cy) */
+    do {
+        int nx = cx + step[way][0], ny = cy + step[way][1];
+        bool is_border = way % 2 ? cx == 1 || cx == RASTER + 1 : cy == 1 || cy == RASTER + 1;
+        s->seen[cy][cx] = s->seen[cy][cx] || way == 0;
+        if (is_border)
+            add_corner(corners, 2 * cx - 2, 2 * cy - 2);
+        add_corner(corners, is_border ? 2 * nx - 2 : cx + nx - 2, is_border ? 2 * ny - 2 : cy + ny - 2);
+        cx = nx;
+        cy = ny;
+        bool is_in_right = s->in[cy + right[way][1]][cx + right[way][0]], is_in_left = s->in[cy + left[way][1]][cx + left[way][0]];
+        way = !is_in_right ? (way + 1) % 4 : is_in_left ? (way + 3) % 4 : way;
+    } while (cx != x || cy != y || way != 0);
+    add_corner(corners, g_array_index(corners, corner, 0).x, g_array_index(corners, corner, 0).y);
+    g_array_set_size(corners, corners->len - 1);
+    write_outline(s, corners, out);
+    g_array_free(corners, TRUE);
+}
+
+char *plb_render_outline(rewriting *r, const xmlNode *content, box view, bool is_alone, bool by_alpha, double least, double *mean)
+{
+    cairo_surface_t *image = rasterize_content(r, content, view, is_alone);
+    stencil s = {.view = view};
+    int n = image ? find_strong(image, by_alpha, least, &s, mean) : 0;
+    cairo_surface_destroy(image);
+    if (!n)
+        return NULL;
+    GString *out = g_string_new(NULL);
+    for (int y = 1; y <= RASTER; y++)
+        for (int x = 1; x <= RASTER; x++)
+            if (s.in[y][x] && !s.in[y - 1][x] && !s.seen[y][x])
+                follow(&s, out, x, y);
+    return g_string_free(out, FALSE);
+}
+
+/* ---- one element -------------------------------------------------------------------------------------------- */
 
 /* Copies `n` with what it inherits, alone in a document. */
 static xmlNode *show_alone(rewriting *r, const xmlNode *n, xmlNode *root)
@@ -134,7 +243,7 @@ bool plb_render_filtered(rewriting *r, const xmlNode *n, box view, double withou
     if (!may_render(r, view))
         return false;
     xmlNode *root;
-    xmlDoc *doc = start_document(r, &root);
+    xmlDoc *doc = start_document(r, false, &root);
     set_view(root, view);
     xmlNode *copy = show_alone(r, n, root);
     cairo_surface_t *filtered = rasterize(doc);

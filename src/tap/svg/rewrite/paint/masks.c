@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Replaces masks and clip paths. A mask of white shapes and black ones over them lets through a region with a sharp
- * edge: the same as clip paths, one for the white shapes and one for the outside of each black shape. Another mask acts
- * by its mean tone. A clip path that is itself clipped becomes two, one inside the other (CSS Masking 1).
+ * edge: the same as clip paths, one for the white shapes and one for the outside of each black shape. Another mask clips
+ * to where it lets something through, and acts there by its mean tone. A clip path that is itself clipped becomes two, one inside the other (CSS Masking 1).
  */
 #include "tap/svg/rewrite/document/outline.h"
 #include "tap/svg/rewrite/document/render.h"
@@ -185,35 +185,46 @@ static void apply_stencil(rewriting *r, xmlNode *n, xmlNode *mask, const stencil
 
 /* ---- soft masks --------------------------------------------------------------------------------------------- */
 
-/* Gives the mean luminance that the mask has over the element; -1: not known. */
-static double mean_of(rewriting *r, const xmlNode *n, const xmlNode *mask)
+/* Gives the part of the user space that the mask is looked at in: the element's box. */
+static box view_of(const xmlNode *n, const xmlNode *mask)
 {
-    char *units = plb_node_get(mask, "maskContentUnits"), *type = plb_css_value(r->sheet, mask, "mask-type");
-    bool in_box = units && !strcmp(units, "objectBoundingBox"), by_alpha = type && !strcmp(type, "alpha");
+    char *units = plb_node_get(mask, "maskContentUnits");
+    bool in_box = units && !strcmp(units, "objectBoundingBox");
     box view = in_box ? (box){0, 0, 1, 1} : plb_outline_box(n);
-    double mean[4];
+    g_free(units);
     if (plb_box_is_empty(view))
         view = plb_outline_viewport(n);
     if (!in_box) /* a line has no breadth of its own */
         view = (box){view.x0 - LINE_BREADTH / 2, view.y0 - LINE_BREADTH / 2, view.x1 + LINE_BREADTH / 2, view.y1 + LINE_BREADTH / 2};
-    bool known = plb_render_mean(r, mask, view, mean);
-    g_free(units);
-    g_free(type);
-    return !known ? -1 : mean[3] * (by_alpha ? 1 : 0.2125 * mean[0] + 0.7154 * mean[1] + 0.0721 * mean[2]);
+    return view;
 }
 
-static void apply_mean(rewriting *r, xmlNode *n, const xmlNode *mask)
+/* Gives the outline of what the mask lets through, as path data, and how much it lets through there; NULL: nothing. */
+static char *find_window(rewriting *r, const xmlNode *n, const xmlNode *mask, double *mean)
 {
-    double mean = mean_of(r, n, mask);
-    char number[G_ASCII_DTOSTR_BUF_SIZE];
-    if (mean < 0)
-        return;
+    char *type = plb_css_value(r->sheet, mask, "mask-type");
+    bool by_alpha = type && !strcmp(type, "alpha");
+    g_free(type);
+    return plb_render_outline(r, mask, view_of(n, mask), false, by_alpha, FAINTEST, mean);
+}
+
+static void apply_window(rewriting *r, xmlNode *n, xmlNode *mask)
+{
+    double mean;
+    char number[G_ASCII_DTOSTR_BUF_SIZE], *data = find_window(r, n, mask, &mean), *reference;
     xmlNode *group = plb_rewrite_wrap(r, n, true);
     plb_css_set(group, "mask", "none");
-    if (mean < FAINTEST)
+    if (!data) {
         plb_css_set(group, "display", "none");
-    else
-        plb_css_set(plb_node_wrap(n), "opacity", g_ascii_formatd(number, sizeof number, "%.4f", mean));
+        return;
+    }
+    xmlNode *clip = new_clip(r, mask, &reference), *outline = plb_node_new(clip, "path"), *clipped = plb_node_wrap(n);
+    plb_node_set(outline, "d", data);
+    xmlAddChild(clip, outline);
+    clip_by(clipped, reference);
+    plb_css_set(clipped, "opacity", g_ascii_formatd(number, sizeof number, "%.4f", mean));
+    g_free(reference);
+    g_free(data);
 }
 
 static void rewrite_mask(rewriting *r, xmlNode *n, xmlNode *mask)
@@ -222,7 +233,7 @@ static void rewrite_mask(rewriting *r, xmlNode *n, xmlNode *mask)
     if (read_stencil(r, mask, &s))
         apply_stencil(r, n, mask, &s);
     else
-        apply_mean(r, n, mask);
+        apply_window(r, n, mask);
 }
 
 /* ---- clipped clip paths ------------------------------------------------------------------------------------- */

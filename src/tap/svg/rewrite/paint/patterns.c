@@ -163,8 +163,50 @@ static bool reaches_out(const tiling *t)
     return !plb_box_is_empty(t->bounds) && (t->bounds.x0 < -dx || t->bounds.y0 < -dy || t->bounds.x1 > t->width + dx || t->bounds.y1 > t->height + dy);
 }
 
+/* Tells on which sides of the tile the piece from a to b lies: bits for left, right, top, bottom. */
+static unsigned sides_of(const tiling *t, point a, point b)
+{
+    double dx = BEYOND * t->width, dy = BEYOND * t->height;
+    bool upright = fabs(a.x - b.x) < dx, level = fabs(a.y - b.y) < dy;
+    return (upright && fabs(a.x) < dx ? 1u : 0) | (upright && fabs(a.x - t->width) < dx ? 2u : 0) | (level && fabs(a.y) < dy ? 4u : 0) |
+           (level && fabs(a.y - t->height) < dy ? 8u : 0);
+}
+
+/* Tells whether the line runs along the tile's sides and the tiles beyond have none there: so half its width is cut off. */
+static bool is_halved(const xmlNode *n, const tiling *t)
+{
+    path p = plb_outline(n);
+    point *at;
+    bool *jump, all = true;
+    unsigned used = 0;
+    plb_path_transform(&p, t->inside);
+    size_t count = plb_outline_points(&p, &at, &jump);
+    for (size_t i = 1; i < count && all; i++) {
+        unsigned sides = jump[i] ? 0 : sides_of(t, at[i - 1], at[i]);
+        all = jump[i] || sides;
+        used |= sides;
+    }
+    g_free(at);
+    g_free(jump);
+    plb_path_free(&p);
+    return all && used && (used & 3) != 3 && (used & 12) != 12;
+}
+
+/* Gives lines along the tile's sides the width that is seen. */
+static void thin_halved_lines(rewriting *r, xmlNode *content, const tiling *t)
+{
+    for (xmlNode *n = content; n; n = plb_node_next(n, content)) {
+        char *own = plb_node_get(n, "transform"), *width = plb_css_inherited(r->sheet, n, "stroke-width"), number[G_ASCII_DTOSTR_BUF_SIZE];
+        double breadth = width ? g_ascii_strtod(width, NULL) : 1;
+        if (!own && plb_node_is_shape(n) && is_halved(n, t))
+            plb_css_set(n, "stroke-width", g_ascii_formatd(number, sizeof number, "%.6g", breadth / 2));
+        g_free(own);
+        g_free(width);
+    }
+}
+
 /* Makes one tile: a group at its corner, with the pattern's content. */
-static void add_tile(xmlNode *group, const tiling *t, int i, int j, const char *clip)
+static void add_tile(rewriting *r, xmlNode *group, const tiling *t, int i, int j, const char *clip)
 {
     xmlNode *tile = plb_node_new(group, "g"), *inner = plb_node_new(group, "g");
     char *place = g_strdup_printf("translate(%.12g %.12g)", t->x + i * t->width, t->y + j * t->height), *map = plb_node_matrix_text(t->inside);
@@ -180,6 +222,7 @@ static void add_tile(xmlNode *group, const tiling *t, int i, int j, const char *
     }
     xmlAddChild(tile, inner);
     xmlAddChild(group, tile);
+    thin_halved_lines(r, inner, t);
     g_free(place);
     g_free(map);
 }
@@ -225,7 +268,7 @@ static void lay_out(rewriting *r, xmlNode *shape, const tiling *t, const int fir
     char *clip = several && reaches_out(t) ? clip_of_tile(r, clipped, t) : NULL;
     for (int j = first[1]; j < last[1]; j++)
         for (int i = first[0]; i < last[0]; i++)
-            add_tile(tiles, t, i, j, clip);
+            add_tile(r, tiles, t, i, j, clip);
     plb_css_set(shape, "fill", "none");
     g_free(clip);
     g_free(outline);

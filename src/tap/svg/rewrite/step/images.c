@@ -1,9 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * Turns images that are SVG themselves, given in the document as data URIs (RFC 2397), into nested drawings. Names and
- * style sheets of such a drawing hold inside it alone, so its styles go into the elements and its ids get a prefix.
+ * style sheets of such a drawing hold inside it alone, so its styles go into the elements and its ids get a prefix. A picture of
+ * pixels stays, to be counted as left out, and gets paper below.
  */
 #include "tap/svg/rewrite/document/outline.h"
+#include "tap/svg/rewrite/document/render.h"
 #include "tap/svg/rewrite/steps.h"
 
 #include "tap/common/tap_page.h"
@@ -166,6 +168,39 @@ static bool rewrite_image(rewriting *r, xmlNode *image, unsigned number)
     return is_svg;
 }
 
+/* ---- pictures of pixels ------------------------------------------------------------------------------------- */
+
+/* A picture hides what lies below where it is at least so opaque. */
+#define OPAQUE 0.95
+
+/* Puts a shape of paper below an opaque picture, as large as its opaque part: the picture is left out, what it hides is so, too. */
+static void lay_paper(rewriting *r, xmlNode *image)
+{
+    box b = {plb_node_length(image, "x", 100, 0), plb_node_length(image, "y", 100, 0), 0, 0};
+    b.x1 = b.x0 + plb_node_length(image, "width", 100, 0);
+    b.y1 = b.y0 + plb_node_length(image, "height", 100, 0);
+    xmlNode *holder = plb_node_new(image, "g"), *copy = xmlDocCopyNode(image, image->doc, 1);
+    plb_node_remove(copy, "transform");
+    xmlAddChild(holder, copy);
+    double mean;
+    char *data = b.x1 > b.x0 && b.y1 > b.y0 ? plb_render_outline(r, holder, b, true, true, OPAQUE, &mean) : NULL;
+    xmlFreeNode(holder);
+    if (!data)
+        return;
+    r->changed = true;
+    xmlNode *group = plb_rewrite_wrap(r, image, true), *paper = plb_node_new(group, "path");
+    char *id = plb_node_get(image, "id");
+    if (id) { /* others that use the picture use both */
+        plb_node_remove(image, "id");
+        plb_node_set(group, "id", id);
+    }
+    plb_node_set(paper, "d", data);
+    plb_node_set(paper, "style", "fill:#fff;fill-opacity:1;stroke:none");
+    xmlAddPrevSibling(image, paper);
+    g_free(id);
+    g_free(data);
+}
+
 void plb_rewrite_images(rewriting *r)
 {
     unsigned number = 0;
@@ -176,6 +211,9 @@ void plb_rewrite_images(rewriting *r)
         for (xmlNode *n = top; n && !again; n = plb_node_next(n, top))
             again = plb_node_is(n, "image") && rewrite_image(r, n, number++);
     }
+    for (xmlNode *n = top; n; n = plb_node_next(n, top))
+        if (plb_node_is(n, "image") && !plb_node_is_definition(n))
+            lay_paper(r, n);
     g_hash_table_destroy(r->ids);
     r->ids = plb_node_ids(r->doc);
 }
