@@ -85,7 +85,7 @@ static bool add_letters(const plan_context *p, size_t i, bool outlined, bool *ta
     const item *it = &p->list->items.v[i];
     text_style text = p->options->text;
     stroke_style style = style_of(p, it);
-    if (!plb_plan_letter(it, p->options, taken, out, err))
+    if (!plb_plan_letter(it, p->options, p->glyphs, taken, out, err))
         return false;
     for (size_t k = 0; k < out->tracks.n; k++) {
         out->tracks.v[k].style.pressure *= style.pressure;

@@ -7,6 +7,7 @@
 
 #include "plan/hatch/hatch.h"
 #include "plan/hidden/occlusion.h"
+#include "plan/letter/glyphs.h"
 
 /* The marks of all items of a drawing go by these. */
 typedef struct {
@@ -15,6 +16,7 @@ typedef struct {
     clipper *clips;
     occluders *occluders;
     hatcher hatcher;
+    glyph_store *glyphs;
     double usual_width; /* of the drawing's lines, mm */
 } plan_context;
 

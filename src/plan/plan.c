@@ -158,11 +158,13 @@ static bool context_init(plan_context *c, const display_list *list, const plan_o
     *c = (plan_context){.list = list, .options = o, .hatcher = plb_hatcher(list, o)};
     c->clips = plb_clipper_new(list, err);
     c->occluders = c->clips ? plb_occluders_new(list, o, c->clips, err) : NULL;
-    return c->occluders && plb_usual_width(list, o, &c->usual_width, err);
+    c->glyphs = c->occluders ? plb_glyphs_new(o->pencil_width, err) : NULL;
+    return c->glyphs && plb_usual_width(list, o, &c->usual_width, err);
 }
 
 static void context_free(plan_context *c)
 {
+    plb_glyphs_free(c->glyphs);
     plb_occluders_free(c->occluders);
     plb_clipper_free(c->clips);
 }

@@ -5,7 +5,7 @@
 #include "check.h"
 
 #include "plan/letter/letter.h"
-#include "plan/letter/medial.h"
+#include "plan/letter/medial/medial.h"
 
 #define MOST 64
 
@@ -65,7 +65,9 @@ static result letter(result *r, double degrees)
     plb_path_transform(&it.path, plb_matrix_rotate(degrees * PLB_PI / 180));
     r->bounds = BOX_EMPTY;
     track_list strokes = {0};
-    CHECK(plb_plan_letter(&it, &options, &r->taken, &strokes, NULL));
+    glyph_store *glyphs = plb_glyphs_new(options.pencil_width, NULL);
+    CHECK(glyphs && plb_plan_letter(&it, &options, glyphs, &r->taken, &strokes, NULL));
+    plb_glyphs_free(glyphs);
     for (size_t i = 0; i < strokes.tracks.n; i++) {
         track t = plb_track_at(&strokes, i);
         note(r, &t);

@@ -12,8 +12,6 @@
 #include <math.h>
 #include <string.h>
 
-/* A stroke is so many pixels across: enough for the axis' place, and for hairlines a third as wide. */
-#define PIXELS_PER_STEM 8.0
 /* All chosen by eye. */
 #define THIN_PENCILS 2.2     /* a stroke up to this many pencil lines wide is thin at any size */
 #define THIN_MM 1.2          /* up to this when the letters are small */
@@ -27,12 +25,11 @@
 #define ARROW_CORNERS 12     /* of an arrow that is one polygon, at most */
 #define ARROW_HEAD 1.6       /* the largest disc of such an arrow, in strokes: above; a V about 1.3 */
 #define BAR 5.0              /* a quadrangle this much longer than wide is a line */
-#define DETAIL_PENCILS 0.12  /* what sticks out less than this is not drawn */
-#define NIB_PENCILS 0.5      /* a stroke ends half of this before the tip */
 #define BOLD_PENCILS 1.6     /* broader strokes are made of passes side by side */
 
 typedef struct {
     const plan_options *options;
+    glyph_store *glyphs;
     double stem;   /* of the whole fill, mm */
     double height; /* of its tallest part: the shorter side of its bounds, mm */
     bool is_bar;   /* one shape of at most four sides */
@@ -89,12 +86,13 @@ static bool begin_stroke(lettering *l, bool closed, double breadth)
     return array_push(&l->breadths, breadth) && plb_track_begin(&l->strokes, &t);
 }
 
-static bool add_stroke(lettering *l, const raster *r, const pen *p, const pen_stroke *s)
+/* Adds a stroke of a glyph whose outline begins at `origin`. */
+static bool add_stroke(lettering *l, point origin, const pen *p, const pen_stroke *s)
 {
     bool ok = begin_stroke(l, s->closed, l->breadth);
     for (size_t i = 0; ok && i < s->n; i++) {
         pen_point at = p->points.v[s->first + i];
-        ok = plb_track_push(&l->strokes, point_add(r->origin, point_scale(at.at, r->pixel)), at.corner);
+        ok = plb_track_push(&l->strokes, point_add(origin, at.at), at.corner);
     }
     return ok;
 }
@@ -145,36 +143,14 @@ static bool add_bar(lettering *l, point from, point to, double width)
            plb_track_push(&l->strokes, point_mix(to, from, off), false);
 }
 
-static bool draw_axis(lettering *l, raster *r, double stem, error *err)
+static bool draw_axis(lettering *l, point origin, const glyph *g, error *err)
 {
-    medial m = {0};
-    pen p = {0};
-    bool ok = plb_medial_thin(r, err) && plb_medial_graph(&m, r, err) &&
-              plb_medial_prune(&m, stem / r->pixel, DETAIL_PENCILS * l->options->pencil_width / r->pixel, err) &&
-              plb_medial_corners(&m, r, err) && plb_medial_strokes(&m, r, NIB_PENCILS * l->options->pencil_width / r->pixel, &p, err) && plb_pen_smooth(&p, stem / r->pixel, err);
-    for (size_t i = 0; ok && i < p.strokes.n; i++)
-        if (p.strokes.v[i].n > 1)
-            ok = add_stroke(l, r, &p, &p.strokes.v[i]) || plb_fail_memory(err);
-    plb_medial_free(&m);
-    plb_pen_free(&p);
+    const pen *p = plb_glyph_axis(l->glyphs, g, err);
+    bool ok = p;
+    for (size_t i = 0; ok && i < p->strokes.n; i++)
+        if (p->strokes.v[i].n > 1)
+            ok = add_stroke(l, origin, p, &p->strokes.v[i]) || plb_fail_memory(err);
     return ok;
-}
-
-/* Area counts the pixels: contours that overlap are counted once, holes of any direction left out. */
-static bool fill_raster(raster *r, const letter_part *part, double *stem, error *err)
-{
-    *stem = stem_of(part);
-    for (int attempt = 0; attempt < 2; attempt++) {
-        if (!plb_raster_fill(r, &part->outline, *stem / PIXELS_PER_STEM, err))
-            return false;
-        double real = 2 * (double)r->area * r->pixel * r->pixel / part->perimeter;
-        bool fits = !r->width || real > 0.7 * *stem;
-        if (fits || attempt)
-            break;
-        *stem = real;
-        plb_raster_free(r);
-    }
-    return true;
 }
 
 /* A polygon of few corners by itself with one place much broader than the rest: an arrow and its head. Letters of straight
@@ -186,28 +162,26 @@ static bool is_arrow(const lettering *l, const letter_part *part, double radius,
 
 static bool draw_part(lettering *l, const letter_part *part, bool *taken, error *err)
 {
-    raster r;
-    double stem;
     point from, to;
     if (is_long_bar(part, &from, &to)) {
         *taken = is_thin(l, stem_of(part));
         return !*taken || add_bar(l, from, to, stem_of(part)) || plb_fail_memory(err);
     }
-    if (!fill_raster(&r, part, &stem, err))
+    const glyph *g = plb_glyph(l->glyphs, part, err);
+    if (!g)
         return false;
-    double radius = r.largest * r.pixel;
+    double radius = g->largest, stem = g->stem;
     bool ok = true, compact = radius > COMPACT * stem && part->perimeter < MAX_ROUNDNESS * 2 * PLB_PI * stem; /* P^2/A = 2 P / stem */
-    *taken = r.width && is_thin(l, stem) && !is_arrow(l, part, radius, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->options->pencil_width);
+    *taken = g->is_rastered && is_thin(l, stem) && !is_arrow(l, part, radius, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->options->pencil_width);
     if (*taken && compact)
         *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->options->pencil_width);
     size_t before = l->strokes.tracks.n;
     l->breadth = stem;
     if (*taken && !is_dot(l, part->bounds, compact))
-        ok = draw_axis(l, &r, stem, err);
+        ok = draw_axis(l, part->outline.points.v[0], g, err);
     if (ok && *taken && l->strokes.tracks.n == before) /* of a comma there is a line */
         ok = add_dot(l, part->bounds) || plb_fail_memory(err);
     l->letters += *taken && !compact;
-    plb_raster_free(&r);
     return ok;
 }
 
@@ -267,9 +241,9 @@ static bool take_stroke(const lettering *l, size_t i, const item *fill, track_li
     return ok;
 }
 
-bool plb_plan_letter(const item *fill, const plan_options *o, bool *taken, track_list *out, error *err)
+bool plb_plan_letter(const item *fill, const plan_options *o, glyph_store *glyphs, bool *taken, track_list *out, error *err)
 {
-    lettering l = {.options = o};
+    lettering l = {.options = o, .glyphs = glyphs};
     letter_parts parts;
     *taken = false;
     if (!plb_letter_split(&parts, fill, err))

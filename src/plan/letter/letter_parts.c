@@ -4,7 +4,7 @@
  * Contours belong together when their edges cross or one lies inside the other; a sweep along x finds the pairs that
  * may.
  */
-#include "plan/letter/letter.h"
+#include "plan/letter/letter_parts.h"
 
 #include "plan/shape/flatten.h"
 

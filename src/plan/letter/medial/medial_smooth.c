@@ -3,7 +3,7 @@
  * Medial axis, step 6: between corners a stroke is straight when it nearly is, else smooth: resampled at even steps
  * and averaged over about half the stem's thickness, its ends held.
  */
-#include "plan/letter/medial.h"
+#include "plan/letter/medial/medial.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,7 +4,7 @@
  * the shape across the turn: it is thicker there, 1.41 times at a right angle, while around a bend it is as thick as
  * anywhere. The branch is parted there.
  */
-#include "plan/letter/medial.h"
+#include "plan/letter/medial/medial.h"
 
 #include <math.h>
 

@@ -5,7 +5,7 @@
  * all to where their lines meet best. Two arms at an angle are one stroke with a corner. Free ends run on to the tip
  * of the shape, less half of what the pen is wide.
  */
-#include "plan/letter/medial.h"
+#include "plan/letter/medial/medial.h"
 
 #include <math.h>
 #include <string.h>

@@ -4,7 +4,7 @@
  * where they touch, are joints; pixels with one are ends; chains of pixels with two are branches. The staircase that
  * pixels make of a slanted line is smoothed away at once.
  */
-#include "plan/letter/medial.h"
+#include "plan/letter/medial/medial.h"
 
 #include <math.h>
 #include <string.h>

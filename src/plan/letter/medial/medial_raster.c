@@ -4,7 +4,7 @@
  * centre is. The distance transform is exact: columns first, then the lower envelope along rows by a search that the
  * best distance so far bounds (Saito & Toriwaki 1994); letters are thin, so it is short.
  */
-#include "plan/letter/medial.h"
+#include "plan/letter/medial/medial.h"
 
 #include <math.h>
 #include <string.h>

@@ -7,7 +7,7 @@
  *     it ends about where the lines of both strokes meet anyhow.
  *   - A doubled joint: strokes that cross make two joints close to each other; they become one.
  */
-#include "plan/letter/medial.h"
+#include "plan/letter/medial/medial.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
  * goes when the shape stays in one piece and keeps its holes without it ("simple", Rosenfeld 1970) and it is not the
  * tip of a line of the axis. Those nearest to the edge go first, so that what is left lies in the middle.
  */
-#include "plan/letter/medial.h"
+#include "plan/letter/medial/medial.h"
 
 #include <math.h>
 

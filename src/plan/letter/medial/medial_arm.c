@@ -4,7 +4,7 @@
  * where two strokes have grown together it is thicker than either; the branch is true only beyond that. There it has
  * a place and a direction from which the joint is made again.
  */
-#include "plan/letter/medial.h"
+#include "plan/letter/medial/medial.h"
 
 #include <math.h>
 #include <stdlib.h>
