@@ -112,7 +112,7 @@ static bool belongs_to_letter(const plan_context *p, size_t i, bool *belongs, er
         box n = plb_path_bounds(&it->path);
         double h = fmax(n.x1 - n.x0, n.y1 - n.y0), apart = fmax(fmax(n.x0 - b.x1, b.x0 - n.x1), fmax(n.y0 - b.y1, b.y0 - n.y1));
         bool is_near = k != i && it->kind == ITEM_FILL && apart < DOT_NEAR * h && fmin(w, high) < DOT_SIZE * h && fmax(w, high) < h;
-        ok = !is_near || plb_plan_letter(it, p->options, belongs, &letter, err);
+        ok = !is_near || plb_plan_letter(it, p->options, p->glyphs, belongs, &letter, err);
     }
     plb_tracks_free(&letter);
     return ok;

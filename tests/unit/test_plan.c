@@ -5,7 +5,6 @@
 #include "check.h"
 
 #include "plan/plan.h"
-#include "plan/shape/region.h"
 #include "plan/track.h"
 
 typedef struct {
@@ -613,39 +612,6 @@ static void lines_are_pulled_rightwards_or_down(void)
     clean(&s);
 }
 
-/* Random stars: the region's answers against a count of all edges. */
-static void regions_answer_as_a_plain_count_does(void)
-{
-    unsigned seed = 7;
-    for (int round = 0; round < 20; round++) {
-        path p = {0};
-        point v[60];
-        for (int i = 0; i < 60; i++) {
-            seed = seed * 1664525u + 1013904223u;
-            double x = (seed >> 8) % 1000 / 10.0;
-            seed = seed * 1664525u + 1013904223u;
-            v[i] = (point){x, (seed >> 8) % 1000 / 10.0};
-            CHECK(i ? plb_path_line(&p, v[i]) : plb_path_move(&p, v[i]));
-        }
-        region *r = plb_region_new(&p, round & 1, NULL);
-        for (int q = 0; q < 500; q++) {
-            seed = seed * 1664525u + 1013904223u;
-            point at = {(seed >> 8) % 1000 / 10.0 + 0.037, (seed >> 18) % 1000 / 10.0 + 0.041};
-            int winding = 0, crossed = 0;
-            for (int i = 0; i < 60; i++) {
-                point a = v[i], b = v[(i + 1) % 60];
-                if ((a.y <= at.y) != (b.y <= at.y) && a.x + (at.y - a.y) / (b.y - a.y) * (b.x - a.x) > at.x) {
-                    crossed++;
-                    winding += a.y < b.y ? 1 : -1;
-                }
-            }
-            CHECK(plb_region_contains(r, at, 0) == (round & 1 ? crossed & 1 : winding != 0));
-        }
-        plb_region_free(r);
-        plb_path_free(&p);
-    }
-}
-
 int main(void)
 {
     RUN(corners_end_strokes);
@@ -683,6 +649,5 @@ int main(void)
     RUN(a_faint_line_stands_for_no_strong_one);
     RUN(near_lines_are_drawn_together);
     RUN(lines_are_pulled_rightwards_or_down);
-    RUN(regions_answer_as_a_plain_count_does);
     CHECK_EXIT;
 }

@@ -310,14 +310,12 @@ static bool cross_area(occluders *c, area *a, void *closure)
     if ((a->order > c->query_item) != c->query_above)
         return true;
     const region *r = region_of(c, a);
-    if (!r || !plb_region_cross(r, q->from, q->to, q->at))
+    if (!r || !plb_region_cross(r, q->from, q->to, q->at, &c->work))
         return false;
-    c->work += plb_region_work(r, q->from, q->to);
     for (int k = c->list->items.v[a->order].clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {
         const region *within = plb_clipper_region(c->clips, k, c->err);
-        if (!within || !plb_region_cross(within, q->from, q->to, q->at))
+        if (!within || !plb_region_cross(within, q->from, q->to, q->at, &c->work))
             return false;
-        c->work += plb_region_work(within, q->from, q->to);
     }
     return true;
 }
@@ -338,7 +336,7 @@ static bool covers(occluders *c, area *a, point p)
     const region *r = region_of(c, a);
     if (!r)
         return false;
-    c->work += plb_region_work(r, p, p);
+    c->work += plb_region_work(r, p);
     if (!plb_region_covers(r, p, EDGE_MARGIN_MM))
         return false;
     for (int k = c->list->items.v[a->order].clip; k != NO_CLIP; k = c->list->clips.v[k].parent) {

@@ -71,7 +71,8 @@ static side side_of(const region *r, box b)
 
 static bool cross(const void *of, point from, point to, crossings *at)
 {
-    return plb_region_cross(of, from, to, at);
+    double work = 0; /* nobody asks */
+    return plb_region_cross(of, from, to, at, &work);
 }
 
 static bool sees(const void *of, point p)

@@ -1,18 +1,34 @@
 /* SPDX-License-Identifier: MIT
  *
- * Regions: see region.h. An edge is listed in every band that its height touches, so a question looks at one band
- * (a point) or at those that a segment passes.
+ * Regions: see region.h. An edge is listed in every band that its height touches. A question about a point looks at one band of few
+ * edges. A segment would pass many such bands: for it there are broader ones, about as many as the root of the number of edges, whose
+ * edges are sorted from left to right, so that only those beside the segment are looked at.
  */
 #include "plan/shape/region.h"
 
 #include "plan/shape/flatten.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+
+/* A region of fewer edges than this has no broad bands: all its edges are looked at (by measurement). */
+#define BROAD_MIN_EDGES 12
+/* An edge that the segment runs along, no farther from it than this (mm), meets it from one of its ends to the other. */
+#define ALONG_MM 0.05
+/* A segment looks so far beside itself: ALONG_MM, and more by far than rounding does. */
+#define BESIDE_MM (ALONG_MM + 1e-4)
 
 typedef struct {
     point a, b;
 } region_edge;
+
+/* An edge in a broad band. */
+typedef struct {
+    double left, right;
+    double reach;  /* the largest `right` up to here in its band */
+    uint32_t edge;
+} broad_edge;
 
 struct region {
     bool even_odd, is_box;
@@ -22,6 +38,10 @@ struct region {
     double band_height;
     size_t *first;   /* bands + 1: where each band's edges start in `listed` */
     uint32_t *listed;
+    size_t broad_bands; /* 0: the region has none */
+    double broad_height;
+    size_t *broad_first; /* the same for broad bands */
+    broad_edge *broad;
 };
 
 /* Fills and clips close their subpaths. */
@@ -73,13 +93,13 @@ static void band_range(const region *r, region_edge e, size_t *low, size_t *high
     *high = band_of(r, higher(e.a.y, e.b.y));
 }
 
-/* Gives a band about four edges if they are short, but makes so few bands that tall edges are listed about eight times only. */
-static size_t count_bands(const region *r)
+/* Gives at most so many bands, but so few that tall edges are listed about eight times only. */
+static size_t count_bands(const region *r, double most)
 {
     double heights = 0, whole = r->bounds.y1 - r->bounds.y0, n = (double)r->edges.n;
     for (size_t i = 0; i < r->edges.n; i++)
         heights += fabs(r->edges.v[i].a.y - r->edges.v[i].b.y);
-    double bands = n / 4;
+    double bands = most;
     if (heights > 0 && bands > 8 * n * whole / heights)
         bands = 8 * n * whole / heights;
     return bands > 4096 ? 4096 : (size_t)bands + 1;
@@ -87,7 +107,7 @@ static size_t count_bands(const region *r)
 
 static bool sort_into_bands(region *r)
 {
-    r->bands = count_bands(r);
+    r->bands = count_bands(r, (double)r->edges.n / 4);
     r->band_height = (r->bounds.y1 - r->bounds.y0) / (double)r->bands;
     if (!(r->band_height > 0))
         r->band_height = 1;
@@ -117,6 +137,70 @@ static bool sort_into_bands(region *r)
     return ok;
 }
 
+/* ---- broad bands ---- */
+
+/* Gives the broad band that holds the height, one beyond the first or last where there is none. */
+static int64_t broad_band_of(const region *r, double y)
+{
+    double k = floor((y - r->bounds.y0) / r->broad_height);
+    return k < 0 ? -1 : k >= (double)r->broad_bands ? (int64_t)r->broad_bands : (int64_t)k;
+}
+
+/* Computes the broad bands of all that lies beside what is between two heights, from *low to *high. */
+static void broad_range(const region *r, double top, double bottom, size_t *low, size_t *high)
+{
+    int64_t first = broad_band_of(r, top - BESIDE_MM), last = broad_band_of(r, bottom + BESIDE_MM), n = (int64_t)r->broad_bands;
+    *low = (size_t)(first < 0 ? 0 : first >= n ? n - 1 : first);
+    *high = (size_t)(last < 0 ? 0 : last >= n ? n - 1 : last);
+}
+
+static int compare_left(const void *a, const void *b)
+{
+    const broad_edge *p = a, *q = b;
+    return p->left != q->left ? (p->left > q->left) - (p->left < q->left) : (p->edge > q->edge) - (p->edge < q->edge);
+}
+
+static void sort_broad_band(broad_edge *v, size_t n)
+{
+    double reach = -INFINITY;
+    qsort(v, n, sizeof *v, compare_left);
+    for (size_t i = 0; i < n; i++)
+        v[i].reach = reach = higher(reach, v[i].right);
+}
+
+static bool sort_into_broad_bands(region *r)
+{
+    if (r->edges.n < BROAD_MIN_EDGES || !(r->bounds.y1 > r->bounds.y0))
+        return true;
+    size_t low, high, bands = count_bands(r, sqrt((double)r->edges.n)), *first = plb_new(bands + 2, sizeof *first);
+    if (!first)
+        return false;
+    r->broad_first = first;
+    r->broad_bands = bands;
+    r->broad_height = (r->bounds.y1 - r->bounds.y0) / (double)bands;
+    /* Counts of each band lie two on, so that filling moves each start to its place. */
+    for (size_t i = 0; i < r->edges.n; i++) {
+        region_edge e = r->edges.v[i];
+        broad_range(r, lower(e.a.y, e.b.y), higher(e.a.y, e.b.y), &low, &high);
+        for (size_t k = low; k <= high; k++)
+            first[k + 2]++;
+    }
+    for (size_t k = 2; k < bands + 2; k++)
+        first[k] += first[k - 1];
+    r->broad = plb_new(first[bands + 1], sizeof *r->broad);
+    if (!r->broad)
+        return false;
+    for (size_t i = 0; i < r->edges.n; i++) {
+        region_edge e = r->edges.v[i];
+        broad_range(r, lower(e.a.y, e.b.y), higher(e.a.y, e.b.y), &low, &high);
+        for (size_t k = low; k <= high; k++)
+            r->broad[first[k + 1]++] = (broad_edge){lower(e.a.x, e.b.x), higher(e.a.x, e.b.x), 0, (uint32_t)i};
+    }
+    for (size_t k = 0; k < bands; k++)
+        sort_broad_band(r->broad + first[k], first[k + 1] - first[k]);
+    return true;
+}
+
 /* Four upright edges are a box. A turned page leaves errors of 1e-5 mm: the slack. */
 static bool looks_like_box(const region *r)
 {
@@ -141,7 +225,7 @@ region *plb_region_new(const path *p, bool even_odd, error *err)
     }
     r->even_odd = even_odd;
     r->bounds = BOX_EMPTY;
-    if (!find_edges(r, p, err) || !sort_into_bands(r)) {
+    if (!find_edges(r, p, err) || !sort_into_bands(r) || !sort_into_broad_bands(r)) {
         plb_fail_memory(err);
         plb_region_free(r);
         return NULL;
@@ -157,6 +241,8 @@ void plb_region_free(region *r)
     array_free(&r->edges);
     plb_free(r->first);
     plb_free(r->listed);
+    plb_free(r->broad_first);
+    plb_free(r->broad);
     plb_free(r);
 }
 
@@ -249,10 +335,10 @@ bool plb_region_covers(const region *r, point p, double margin)
     return is_inside(r, p) && (!is_near_edge(r, p, margin) || is_surrounded(r, p, margin));
 }
 
-double plb_region_work(const region *r, point from, point to)
+double plb_region_work(const region *r, point p)
 {
-    size_t low = band_of(r, lower(from.y, to.y)), high = band_of(r, higher(from.y, to.y));
-    return r->edges.n ? 4 + (double)(r->first[high + 1] - r->first[low]) : 1;
+    size_t k = band_of(r, p.y);
+    return r->edges.n ? 4 + (double)(r->first[k + 1] - r->first[k]) : 1;
 }
 
 /* Finds where edge and segment meet, if they do: signs and sizes tell it before anything is divided. */
@@ -267,9 +353,6 @@ static bool meets(region_edge e, point from, point d, double *at)
     return true;
 }
 
-/* An edge that the segment runs along, no farther from it than this (mm), meets it from one of its ends to the other. */
-#define ALONG_MM 0.05
-
 static bool runs_along(region_edge e, point from, point d)
 {
     double reach = ALONG_MM * plb_point_length(d);
@@ -283,28 +366,81 @@ static bool add_beside(point p, point from, point d, crossings *at)
     return !(t > 0 && t < 1) || array_push(at, t);
 }
 
-/* An edge is listed in several bands: it counts in the first that the segment passes, too. */
-static bool is_first_band(const region *r, region_edge e, size_t segment_low, size_t k)
+/* A segment's way through a region, and what it has met. */
+typedef struct {
+    const region *r;
+    point from, to, d;
+    size_t first, last; /* the bands between its ends */
+    crossings *at;
+    double work;
+} passage;
+
+/* Adds the places where the segment meets an edge; some maybe more than once. An edge that it runs along counts only if both lie in one band. */
+static bool cross_edge(passage *s, region_edge e)
 {
+    double t;
     size_t low, high;
-    band_range(r, e, &low, &high);
-    return k == (low > segment_low ? low : segment_low);
+    if (meets(e, s->from, s->d, &t))
+        return array_push(s->at, t) && (!runs_along(e, s->from, s->d) || (add_beside(e.a, s->from, s->d, s->at) && add_beside(e.b, s->from, s->d, s->at)));
+    if (!runs_along(e, s->from, s->d))
+        return true;
+    band_range(s->r, e, &low, &high);
+    return low > s->last || high < s->first || (add_beside(e.a, s->from, s->d, s->at) && add_beside(e.b, s->from, s->d, s->at));
 }
 
-bool plb_region_cross(const region *r, point from, point to, crossings *at)
+/* Computes what columns the segment and its sides come to within a broad band. */
+static void find_columns(const passage *s, size_t band, double *left, double *right)
 {
-    point d = point_sub(to, from);
-    double low = lower(from.y, to.y), high = higher(from.y, to.y), t;
-    if (high < r->bounds.y0 || low > r->bounds.y1 || r->edges.n == 0)
-        return true;
-    size_t first = band_of(r, low), last = band_of(r, high);
-    for (size_t k = first; k <= last; k++)
-        for (size_t i = r->first[k]; i < r->first[k + 1]; i++) {
-            region_edge e = r->edges.v[r->listed[i]];
-            if (meets(e, from, d, &t) && is_first_band(r, e, first, k) && !array_push(at, t))
-                return false;
-            if (runs_along(e, from, d) && is_first_band(r, e, first, k) && !(add_beside(e.a, from, d, at) && add_beside(e.b, from, d, at)))
-                return false;
-        }
+    double top = s->r->bounds.y0 + (double)band * s->r->broad_height - BESIDE_MM, bottom = top + s->r->broad_height + 2 * BESIDE_MM, x0 = s->from.x, x1 = s->to.x;
+    if (fabs(s->d.y) > 1e-9) {
+        double t = (top - s->from.y) / s->d.y, u = (bottom - s->from.y) / s->d.y;
+        x0 = s->from.x + lower(higher(t, 0), 1) * s->d.x;
+        x1 = s->from.x + lower(higher(u, 0), 1) * s->d.x;
+    }
+    *left = lower(x0, x1) - BESIDE_MM;
+    *right = higher(x0, x1) + BESIDE_MM;
+}
+
+static bool cross_broad_band(passage *s, size_t band)
+{
+    const broad_edge *v = s->r->broad;
+    size_t low = s->r->broad_first[band], end = s->r->broad_first[band + 1], high = end;
+    double left, right;
+    find_columns(s, band, &left, &right);
+    while (low < high) { /* to the first edge up to which one reaches the segment */
+        size_t middle = (low + high) / 2;
+        if (v[middle].reach < left)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    for (; low < end && v[low].left <= right; low++) {
+        s->work++;
+        if (v[low].right >= left && !cross_edge(s, s->r->edges.v[v[low].edge]))
+            return false;
+    }
+    s->work++;
     return true;
+}
+
+bool plb_region_cross(const region *r, point from, point to, crossings *at, double *work)
+{
+    double top = lower(from.y, to.y), bottom = higher(from.y, to.y);
+    *work += 1;
+    if (bottom < r->bounds.y0 || top > r->bounds.y1 || r->edges.n == 0)
+        return true;
+    passage s = {r, from, to, point_sub(to, from), band_of(r, top), band_of(r, bottom), at, 3};
+    bool ok = true;
+    size_t low = 0, high = 0;
+    if (!r->broad_bands) {
+        for (size_t i = 0; ok && i < r->edges.n; i++)
+            ok = cross_edge(&s, r->edges.v[i]);
+        s.work += (double)r->edges.n;
+    } else {
+        broad_range(r, top, bottom, &low, &high);
+        for (size_t k = low; ok && k <= high; k++)
+            ok = cross_broad_band(&s, k);
+    }
+    *work += s.work;
+    return ok;
 }

@@ -27,9 +27,10 @@ bool plb_region_is_box(const region *r);
 bool plb_region_contains(const region *r, point p, double margin);
 /* Tells whether the point is inside, and farther than `margin` from the boundary. */
 bool plb_region_covers(const region *r, point p, double margin);
-/* Tells how many edges a question about that segment (or point, when both are the same) looks at, about. */
-double plb_region_work(const region *r, point from, point to);
-/* Appends the parameters in (0, 1) where the segment meets the boundary. False when out of memory. */
-bool plb_region_cross(const region *r, point from, point to, crossings *at);
+/* Tells how many edges a question about that point looks at, about. */
+double plb_region_work(const region *r, point p);
+/* Appends the parameters in (0, 1) where the segment meets the boundary, some maybe more than once, and adds to *work about how many
+ * edges were looked at. False when out of memory. */
+bool plb_region_cross(const region *r, point from, point to, crossings *at, double *work);
 
 #endif
