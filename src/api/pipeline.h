@@ -24,6 +24,8 @@ plb_drawing *plb_api_draw(const input_source *in, const plb_options *o, error *e
 
 /* Gives the options of the plan that follow from `o`, which has been checked. */
 plan_options plb_api_plan_options(const plb_options *o);
+/* Gives how broad a sharpened point is, times the line of the pencil as captured; 1: the point stays as it was. */
+double plb_api_point(const plb_options *o);
 
 /* A render_context is the pencil of a call, borrowed from the options and ready to draw. */
 typedef struct {

@@ -46,7 +46,9 @@ static bool add_wide_line(const plan_context *p, const item *it, track_list *out
 {
     track_list lines = {0}, dashes = {0};
     bool ok = plb_plan_flatten(&it->path, false, &lines, err) && plb_plan_dash(it, &lines, p->options, &dashes, err);
-    set_style(&dashes, 0, style_of(p, it));
+    stroke_style style = style_of(p, it);
+    style.breadth = 1; /* with the side of the lead */
+    set_style(&dashes, 0, style);
     for (size_t k = 0; ok && k < dashes.tracks.n; k++) {
         track t = plb_track_at(&dashes, k);
         ok = plb_plan_passes(it, &t, p->options, out, err);

@@ -27,7 +27,7 @@
 plan_options plb_plan_options_default(void)
 {
     static const tone_scale of_hb = {{.07, .12, .2, .35, .45, .51}};
-    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .max_length = 1e7, .threads = 1, .seed = 1};
+    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .shade_width = 0.35, .point = 1, .max_length = 1e7, .threads = 1, .seed = 1};
 }
 
 /* ---- one item ---- */
@@ -144,11 +144,14 @@ static void drop_short_strokes(stroke_list *out)
 static bool arrange(stroke_list *out, const plan_options *o, error *err)
 {
     double same = SAME_LINE_WIDTHS * o->pencil_width;
-    if (!plb_plan_clearance(out, o->pencil_width, err) || !plb_plan_duplicates(out, same, err) || !plb_plan_join(out, same, o->threads, err))
+    if (!plb_plan_clearance(out, (o->pencil_width + o->shade_width) / 2, err) || !plb_plan_duplicates(out, same, err) || !plb_plan_join(out, same, o->threads, err))
         return false;
     drop_short_strokes(out);
-    return plb_plan_smooth(out, err) && plb_plan_neighbours(out, o->threads, err) && plb_plan_junctions(out, o->threads, err) &&
+    bool ok = plb_plan_smooth(out, err) && plb_plan_neighbours(out, o->threads, err) && plb_plan_junctions(out, o->threads, err) &&
            plb_plan_habits(out, o, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
+    if (ok)
+        plb_plan_touch(out, o);
+    return ok;
 }
 
 /* ---- all of it ---- */

@@ -27,7 +27,10 @@ typedef struct {
     fill_style fill;
     text_style text;
     bool colour;         /* each stroke in its paint's own colour */
-    double pencil_width; /* of the pencil's line at half depth, mm: what one stroke covers */
+    double pencil_width; /* of a line at half depth, mm: what one stroke of an outline or a letter covers */
+    double shade_width;  /* … and what one of hatching, solids and wide lines covers, which are made with the side of the lead */
+    double point;        /* breadth of a freshly sharpened point, times the pencil's captured line (habits/touch.c); 1: a blunt one, never sharpened */
+    bool is_touched;     /* pressure and point change over the page, as measured; the papers know no such thing */
     tone_scale tone;     /* what the pencil's hatching comes to */
     double overshoot;    /* how far lines run past corners at most, mm; 0: they meet */
     double restate;      /* the share of long lines that are drawn twice */

@@ -70,6 +70,10 @@ draws "-o x.svg" -o x.svg lines.svg
 is "its page has its true size" "$(grep -o 'width="120mm" height="100mm" viewBox="0 0 120 100"' x.svg | wc -l)" 1
 is "it has one layer" "$(grep -c 'inkscape:groupmode="layer" inkscape:label="HB"' x.svg)" 1
 is "a path for each stroke" "$(grep -c '<path ' x.svg)" "$(plumbago --dump=strokes lines.svg && grep -c '^stroke ' "$TMP/out")"
+draws "a blunt point in SVG" --point blunt -o blunt.svg lines.svg
+is "its lines are all as broad as the layer's" "$(grep -c '<path .*stroke-width' blunt.svg)" 0
+grep -o '<path .*stroke-width="[0-9.]*"' x.svg | sed 's/.*width="//; s/"$//' | sort -n >widths
+is "a sharp point's are finer, and differ" "$(awk 'NR == 1 { low = $1 } { high = $1 } END { print (low >= 0.24 && high <= 0.4 && high > low) }' widths)" 1
 for way in "--arm hand" "--arm jerk" "--model hla" "--arm spring" "--arm lognormal --hand left" "--arm torque" "--squiggle 0"; do
     # shellcheck disable=SC2086
     plumbago $way --dpi 600 -o x.png lines.svg

@@ -10,7 +10,7 @@
 #include "base/number/units.h"
 #include "stat/graphite_for_tests.h"
 
-static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT, 1, 1, false}, FORWARD = {GRAIN_START, GRAIN_LEAVE, 1, 1, false}, BACKWARD = {GRAIN_LEAVE, GRAIN_START, 1, 1, false};
+static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT, 1, 1, false, 1}, FORWARD = {GRAIN_START, GRAIN_LEAVE, 1, 1, false, 1}, BACKWARD = {GRAIN_LEAVE, GRAIN_START, 1, 1, false, 1};
 
 static int compare_numbers(const void *a, const void *b)
 {
@@ -268,7 +268,7 @@ static void closed_strokes_have_no_seam(void)
 static void corners_are_filled(void)
 {
     setup s = prepare();
-    const grain_ends corners = {GRAIN_CORNER, GRAIN_CORNER, 1, 1, false};
+    const grain_ends corners = {GRAIN_CORNER, GRAIN_CORNER, 1, 1, false, 1};
     double before = 0, at = 0, beyond = 0, beside = 0;
     for (uint64_t id = 1; id <= 300; id++) {
         CHECK(plb_grain_make(&s.grain, 60, corners, s.pencil, 1, id, NULL));
@@ -408,7 +408,7 @@ typedef struct {
 static pressed lines_of_pressure(setup *s, float first, float last)
 {
     double section[13] = {0}, squares = 0, n = 0;
-    const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, first, last, false};
+    const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, first, last, false, 1};
     for (uint64_t id = 1; id <= 60; id++) {
         CHECK(plb_grain_make(&s->grain, 200, ends, s->pencil, 1, id, NULL));
         for (int x = 0; x < 200; x++, n++) {
@@ -448,7 +448,7 @@ static void lettering_has_a_fine_point(void)
     double middle[2] = {0, 0}, flank[2] = {0, 0};
     for (int k = 0; k < 2; k++)
         for (uint64_t id = 1; id <= 40; id++) {
-            const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, 1, 1, k == 1};
+            const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, 1, 1, k == 1, k == 1 ? 0.72f : 1};
             CHECK(plb_grain_make(&s.grain, 200, ends, s.pencil, 1, id, NULL));
             for (int x = 0; x < 200; x++) {
                 middle[k] += sample(&s.grain, x + 0.5, 0);
@@ -464,7 +464,7 @@ static void lettering_has_a_fine_point(void)
 static void pressure_changes_along_the_line(void)
 {
     setup s = prepare();
-    const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, 0.6f, 1.2f, false};
+    const grain_ends ends = {GRAIN_JOINT, GRAIN_JOINT, 0.6f, 1.2f, false, 1};
     double early = 0, late = 0;
     for (uint64_t id = 1; id <= 100; id++) {
         CHECK(plb_grain_make(&s.grain, 400, ends, s.pencil, 1, id, NULL));

@@ -8,7 +8,7 @@
 #include "base/number/random.h"
 #include "stat/graphite_for_tests.h"
 
-static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT, 1, 1, false}, FORWARD = {GRAIN_START, GRAIN_LEAVE, 1, 1, false};
+static const grain_ends NO_ENDS = {GRAIN_JOINT, GRAIN_JOINT, 1, 1, false, 1}, FORWARD = {GRAIN_START, GRAIN_LEAVE, 1, 1, false, 1};
 
 static long high_half(long a, long b)
 {

@@ -17,7 +17,7 @@ static stroke_list page(void)
 static stroke *add(stroke_list *list, double x0, double y0, double x1, double y1, stroke_kind kind)
 {
     point ends[2] = {{x0, y0}, {x1, y1}};
-    stroke s = {.style = {1, 0, kind}};
+    stroke s = {.style = {1, 0, kind, kind == STROKE_HATCH}};
     CHECK(plb_plan_append(list, &s, ends, 2));
     return &list->strokes.v[list->strokes.n - 1];
 }
@@ -245,6 +245,77 @@ static void the_lines_of_a_wall_stay_apart(void)
     plb_stroke_list_free(&list);
 }
 
+/* Lines all over a page, each with a random identity. */
+static stroke_list many_touches(size_t n)
+{
+    stroke_list list = page();
+    for (size_t i = 0; i < n; i++) {
+        double x = 190 * random_unit(7, 2 * i), y = 140 * random_unit(7, 2 * i + 1);
+        add(&list, x, y, x + 10, y + 5, i % 4 == 3 ? STROKE_HATCH : STROKE_LINE)->identity = random_mix(i);
+    }
+    return list;
+}
+
+/* The point broadens and is sharpened, pressure lives; hatching keeps both. */
+static void touch_changes_over_a_page(void)
+{
+    plan_options o = plb_plan_options_default();
+    o.point = 0.6;
+    o.is_touched = true;
+    stroke_list list = many_touches(2000);
+    plb_plan_touch(&list, &o);
+    double n = 0, sum = 0, squares = 0, breadth = 0, finest = 9, broadest = 0;
+    for (size_t i = 0; i < list.strokes.n; i++) {
+        stroke_style s = list.strokes.v[i].style;
+        if (s.kind == STROKE_HATCH) {
+            CHECK(s.pressure == 1 && s.breadth == 1);
+            continue;
+        }
+        double p = log((double)s.pressure);
+        n++;
+        sum += p;
+        squares += p * p;
+        breadth += (double)s.breadth;
+        finest = fmin(finest, (double)s.breadth);
+        broadest = fmax(broadest, (double)s.breadth);
+    }
+    CHECK_RANGE(sqrt(squares / n - sum / n * (sum / n)), 0.18, 0.28);
+    CHECK_RANGE(finest, 0.6, 0.63);
+    CHECK_RANGE(broadest, 0.80, 0.841);
+    CHECK_RANGE(breadth / n / (o.point * plb_wear_mean(&o)), 0.97, 1.03);
+    plb_stroke_list_free(&list);
+}
+
+/* Lines added elsewhere, even drawn before, change no line's touch. */
+static void touch_is_each_line_s_own(void)
+{
+    plan_options o = plb_plan_options_default();
+    o.point = 0.6;
+    o.is_touched = true;
+    stroke_list all = many_touches(400), some = many_touches(400);
+    for (size_t i = 0; i < 200; i++)
+        some.strokes.v[i] = some.strokes.v[2 * i + 1];
+    some.strokes.n = 200;
+    plb_plan_touch(&all, &o);
+    plb_plan_touch(&some, &o);
+    for (size_t i = 0; i < 200; i++) {
+        stroke_style a = all.strokes.v[2 * i + 1].style, b = some.strokes.v[i].style;
+        CHECK(a.pressure == b.pressure && a.breadth == b.breadth);
+    }
+    plb_stroke_list_free(&all);
+    plb_stroke_list_free(&some);
+}
+
+static void a_blunt_point_stays_as_it_is(void)
+{
+    plan_options o = plb_plan_options_default();
+    stroke_list list = many_touches(50);
+    plb_plan_touch(&list, &o);
+    for (size_t i = 0; i < list.strokes.n; i++)
+        CHECK(list.strokes.v[i].style.breadth == 1);
+    plb_stroke_list_free(&list);
+}
+
 int main(void)
 {
     RUN(all_are_off_by_default);
@@ -256,5 +327,8 @@ int main(void)
     RUN(neighbours_limit_deviation);
     RUN(threads_change_no_stroke);
     RUN(the_lines_of_a_wall_stay_apart);
+    RUN(touch_changes_over_a_page);
+    RUN(touch_is_each_line_s_own);
+    RUN(a_blunt_point_stays_as_it_is);
     CHECK_EXIT;
 }

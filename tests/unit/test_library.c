@@ -145,7 +145,7 @@ static void a_canvas_becomes_strokes(void)
     double top = 1e9;
     for (size_t i = 0; plb_drawing_stroke(d, i, &s); i++) {
         CHECK(s.n >= 2 && s.kind == PLB_STROKE_LINE && s.pressure > 0 && s.colour == 0);
-        CHECK_RANGE(s.width, 0.3, 0.6);
+        CHECK_RANGE(s.width, 0.24, 0.4); /* a sharp point, more or less worn */
         for (size_t k = 0; k < s.n; k++)
             top = fmin(top, s.points[k].y);
         size_t traced;

@@ -17,7 +17,7 @@ bool plb_drawing_stroke(const plb_drawing *d, size_t index, plb_stroke *out)
         return false;
     const stroke *s = &d->strokes.strokes.v[index];
     *out = (plb_stroke){.kind = (plb_stroke_kind)s->style.kind, .pressure = (double)s->style.pressure, .colour = s->style.colour, .closed = s->closed,
-                        .width = plb_profile_width(d->options->profile), .n = s->n, .points = (const plb_point *)(const void *)(d->strokes.points.v + s->first)};
+                        .width = plb_profile_width(d->options->profile) * (double)s->style.breadth, .n = s->n, .points = (const plb_point *)(const void *)(d->strokes.points.v + s->first)};
     return true;
 }
 

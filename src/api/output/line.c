@@ -59,12 +59,14 @@ typedef struct {
     line_target to;
     stroke_scratch scratch;
     double mm; /* of a pixel */
+    double point; /* breadth of a fresh point: each line is drawn with one */
 } line_tools;
 
 static bool draw(line_tools *l, const double px[4], uint64_t line_id, error *err)
 {
     point ends[2] = {{px[0] * l->mm, px[1] * l->mm}, {px[2] * l->mm, px[3] * l->mm}};
     stroke one = {.style = STROKE_STYLE_USUAL, .identity = identity_of(ends, line_id), .n = 2};
+    one.style.breadth = (float)l->point;
     stroke_list list = {.strokes = {&one, 1, 1}, .points = {ends, 2, 2}};
     return plb_point_distance(ends[0], ends[1]) <= 0 || plb_stroke_draw(&list, &one, &l->t->stroke, &l->scratch, lay_on_surface, &l->to, err);
 }
@@ -74,7 +76,7 @@ static bool draw_all(cairo_surface_t *surface, const double (*ends)[4], size_t n
     render_context t;
     if (!plb_api_context_init(&t, o, err))
         return false;
-    line_tools tools = {.t = &t, .to = {surface, &t.ink}, .mm = MM_PER_INCH / o->dpi};
+    line_tools tools = {.t = &t, .to = {surface, &t.ink}, .mm = MM_PER_INCH / o->dpi, .point = plb_api_point(o)};
     bool ok = true;
     for (size_t i = 0; ok && i < n; i++)
         ok = draw(&tools, ends[i], line_id + i, err);

@@ -82,7 +82,8 @@ static bool add_stroke(tracer *tr, picture *p, const plb_drawing *d, const strok
         return true;
     if (!plb_fit_curves(tr->samples.v, tr->samples.n, MAX_ERROR, &tr->curves))
         return plb_fail_memory(err);
-    return plb_picture_add_path(p, &tr->curves, opacity_of(s, &tr->drawn, t), err);
+    double width = plb_profile_width(t->profile) * (double)s->style.breadth;
+    return plb_picture_add_path(p, &tr->curves, width, opacity_of(s, &tr->drawn, t), err);
 }
 
 static bool begin_layer(picture *p, uint32_t colour, const render_context *t, error *err)

@@ -126,7 +126,7 @@ bool plb_api_measure_tone(const plb_options *o, plan_options *options, error *er
         plain.tone.darkness[k] = TONE_FAINTEST + (1 - TONE_FAINTEST) * k / (TONE_STEPS - 1);
     bool ok = true;
     for (int k = 0; ok && k < TONE_STEPS; k++) {
-        double side = SWATCH_LINES * plb_technique((double)k / (TONE_STEPS - 1), options->pencil_width).spacing[0] + 2 * SWATCH_EDGE;
+        double side = SWATCH_LINES * plb_technique((double)k / (TONE_STEPS - 1), options->shade_width).spacing[0] + 2 * SWATCH_EDGE;
         side = side < SWATCH_MIN ? SWATCH_MIN : side > SWATCH_MAX ? SWATCH_MAX : side;
         ok = measure(side, plain.tone.darkness[k], &plain, &t, &found.darkness[k], err);
         if (k > 0)

@@ -13,6 +13,9 @@
 /* `arm` has this value while the model decides. */
 #define ARM_AUTO (-1)
 
+/* The pencil's point is sharpened while one draws, or stays as it was when its lines were captured. */
+typedef enum { POINT_SHARP, POINT_BLUNT } pencil_point;
+
 /* A page_choice is a page by its name: its sides upright, mm, and how the page lies. */
 typedef enum { PAGE_AS_DRAWN, PAGE_PORTRAIT, PAGE_LANDSCAPE } page_turn;
 typedef struct {
@@ -37,6 +40,7 @@ struct plb_options {
     int fill;             /* fill_style */
     int text;             /* text_style */
     int background;       /* page_background */
+    int point;            /* pencil_point */
     double pressure;
     double squiggle;      /* negative: the arm's own */
     double dpi;

@@ -64,6 +64,8 @@ static const setting table[] = {
 
     {{"pencil", 'p', "Pencil", PLB_SETTING_PENCIL, "GRADE|FILE", 0, 0, "", "HB", "2H H F HB B 3B 6B 8B or a .pencil file", LOAD | DRAW},
      FIELD(profile)},
+    {{"point", 0, "Pencil", PLB_SETTING_CHOICE, NULL, 0, 0, "", "sharp", "sharpened now and then (about 0.3 mm), or as the grade was captured", LOAD | DRAW},
+     FIELD(point), WORDS(WORD("sharp", POINT_SHARP), WORD("blunt", POINT_BLUNT))},
     {{"pressure", 0, "Pencil", PLB_SETTING_NUMBER, "F", 0.2, 3, "times the usual", "1", "paler and grainier, or darker", LOAD | DRAW},
      FIELD(pressure)},
     {{"paper", 0, "Pencil", PLB_SETTING_CHOICE, NULL, 0, 0, "", "medium", "the tooth of the paper, which all strokes share", LOAD | DRAW},

@@ -45,7 +45,7 @@ static double overlap(box a, box b)
 hatcher plb_hatcher(const display_list *list, const plan_options *o)
 {
     hatcher h = {.list = list, .options = o, .page = {0, 0, list->width, list->height}, .coarser = 1};
-    technique full = plb_technique(1, o->pencil_width);
+    technique full = plb_technique(1, o->shade_width);
     double cover = list->width * list->height / TYPICAL_LENGTH * (1 / full.spacing[0] + 1 / full.spacing[1]);
     double budget = fmin(fmax(MAX_COVERS * cover, MIN_BUDGET), MAX_BUDGET), strokes = 0;
     for (size_t i = 0; i < list->items.n; i++) {
@@ -67,7 +67,7 @@ hatcher plb_hatcher(const display_list *list, const plan_options *o)
 bool plb_may_be_hatched(const item *fill, const plan_options *o)
 {
     box b = plb_path_bounds(&fill->path);
-    double least = plb_solid_breadth(o->pencil_width);
+    double least = plb_solid_breadth(o->shade_width);
     return fmin(b.x1 - b.x0, b.y1 - b.y0) >= least && (fill->paint.kind == PAINT_GRADIENT || plb_paint_darkness(&fill->paint, o->colour) >= MIN_DARKNESS);
 }
 
@@ -111,7 +111,7 @@ bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *o
 {
     tone_source t = plb_tone_source(h->list, fill, h->options, colour != 0);
     double darkness = plb_paint_darkness(&fill->paint, colour != 0), mean = darkness;
-    marks m = {h->options, {1, colour, STROKE_HATCH}, out, err};
+    marks m = {h->options, {1, colour, STROKE_HATCH, 1}, out, err};
     shape s;
     bool ok = plb_shape_init(&s, fill, err);
     *outline = true;
@@ -123,7 +123,7 @@ bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *o
     } else if (ok && s.area > 0 && darkness >= MIN_DARKNESS) {
         bool solid = false;
         m.style.pressure = (float)plb_technique(mean, 0).pressure;
-        ok = plb_is_solid(&s, h->options->pencil_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, &t, darkness, &m));
+        ok = plb_is_solid(&s, h->options->shade_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, &t, darkness, &m));
     }
     *outline = *outline && has_edge;
     plb_shape_free(&s);

@@ -53,7 +53,7 @@ technique plb_technique_for(double darkness, const plan_options *o)
     while (k < TONE_STEPS - 1 && scale[k] < want)
         k++;
     double step = scale[k] - scale[k - 1], part = step > 0 ? (want - scale[k - 1]) / step : 1;
-    technique q = plb_technique((k - 1 + part) / (TONE_STEPS - 1), o->pencil_width);
+    technique q = plb_technique((k - 1 + part) / (TONE_STEPS - 1), o->shade_width);
     if (want < scale[0]) /* fainter than the faintest: farther apart */
         q.spacing[0] *= scale[0] / want;
     return q;

@@ -93,7 +93,7 @@ bool plb_is_blot(const item *fill, const plan_options *o, bool *blot, error *err
     if (ok && s.is_convex && s.area > 0) {
         box b = extent_in(&s, plb_frame(s.axis));
         bool is_bar = s.area > BAR_COVER * (b.x1 - b.x0) * (b.y1 - b.y0);
-        *blot = s.elongation < BAR_ELONGATION || !is_bar || 2 * s.area / s.perimeter > PEN_WIDTHS * o->pencil_width;
+        *blot = s.elongation < BAR_ELONGATION || !is_bar || 2 * s.area / s.perimeter > PEN_WIDTHS * o->shade_width;
     }
     plb_shape_free(&s);
     return ok;
@@ -355,7 +355,7 @@ static bool follow_inside(const scribble *k, bool *done)
 
 bool plb_scribble(const shape *s, box page, const marks *m, bool *outline)
 {
-    double width = m->options->pencil_width, angle = s->elongation > LONG_ELONGATION ? s->axis : HATCH_HABIT;
+    double width = m->options->shade_width, angle = s->elongation > LONG_ELONGATION ? s->axis : HATCH_HABIT;
     scribble k = {s, m, plb_frame(angle), width, 0, random_key(m->options->seed, s->identity, PURPOSE_HATCH)};
     box b = extent_in(s, k.f);
     bool is_bar = s->area > BAR_COVER * (b.x1 - b.x0) * (b.y1 - b.y0), done = false;

@@ -102,8 +102,8 @@ bool plb_plan_passes(const item *it, const track *t, const plan_options *o, trac
 {
     track_point ends[2];
     track centre = t->n == 1 ? stretch_dot(t, ends) : *t;
-    double breadth = it->width - o->pencil_width, dark = 1 - plb_paint_lightness(it->paint);
-    double apart = o->pencil_width * fmin(CLOSEST_WIDTHS / fmax(dark, 0.01), FARTHEST_WIDTHS);
+    double breadth = it->width - o->shade_width, dark = 1 - plb_paint_lightness(it->paint);
+    double apart = o->shade_width * fmin(CLOSEST_WIDTHS / fmax(dark, 0.01), FARTHEST_WIDTHS);
     int gaps = (int)fmin(ceil(breadth / apart), MAX_PARALLEL_PASSES);
     uint64_t key = random_key(o->seed, hash_track(t), PURPOSE_PASS);
     bool ok = true;

@@ -23,7 +23,7 @@
 #define HEADS 4096u
 
 struct glyph_store {
-    double pencil_width;
+    double shade_width;
     ARRAY(glyph) glyphs;
     size_t points;         /* of all outlines */
     uint32_t head[HEADS];  /* by the last bits of the code: the latest glyph, counted from 1 */
@@ -33,11 +33,11 @@ struct glyph_store {
     uint64_t last_code;    /* which has this code */
 };
 
-glyph_store *plb_glyphs_new(double pencil_width, error *err)
+glyph_store *plb_glyphs_new(double shade_width, error *err)
 {
     glyph_store *s = plb_new(1, sizeof *s);
     if (s)
-        s->pencil_width = pencil_width;
+        s->shade_width = shade_width;
     else
         plb_fail_memory(err);
     return s;
@@ -185,7 +185,7 @@ static bool find_axis(glyph_store *s, glyph *g, error *err)
 {
     raster *r = &s->last;
     medial m = {0};
-    double stem = g->stem / r->pixel, detail = DETAIL_PENCILS * s->pencil_width / r->pixel, nib = NIB_PENCILS * s->pencil_width / r->pixel;
+    double stem = g->stem / r->pixel, detail = DETAIL_PENCILS * s->shade_width / r->pixel, nib = NIB_PENCILS * s->shade_width / r->pixel;
     bool ok = plb_medial_thin(r, err) && plb_medial_graph(&m, r, err) && plb_medial_prune(&m, stem, detail, err) &&
               plb_medial_corners(&m, r, err) && plb_medial_strokes(&m, r, nib, &g->axis, err) && plb_pen_smooth(&g->axis, stem, err);
     for (size_t i = 0; ok && i < g->axis.points.n; i++) {

@@ -30,7 +30,7 @@ typedef struct {
 } glyph;
 
 /* Makes an empty store for a plan with a pencil of that width, mm. NULL and `err` when out of memory. The caller frees it. */
-glyph_store *plb_glyphs_new(double pencil_width, error *err);
+glyph_store *plb_glyphs_new(double shade_width, error *err);
 void plb_glyphs_free(glyph_store *s);
 /* Gives the shape of the part, measured, but for its axis. It belongs to the store and stays until the next call. NULL and `err` when out of memory. */
 const glyph *plb_glyph(glyph_store *s, const letter_part *part, error *err);

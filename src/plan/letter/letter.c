@@ -7,6 +7,7 @@
  */
 #include "plan/letter/letter.h"
 
+#include "base/geometry/interpolate.h"
 #include "plan/item/wide.h"
 
 #include <math.h>
@@ -67,13 +68,13 @@ static void measure(lettering *l, const letter_parts *parts)
 
 static bool is_thin(const lettering *l, double stem)
 {
-    return stem <= THIN_PENCILS * l->options->pencil_width || (stem <= THIN_MM && l->height <= SMALL_MM && !l->is_bar);
+    return stem <= THIN_PENCILS * l->options->shade_width || (stem <= THIN_MM && l->height <= SMALL_MM && !l->is_bar);
 }
 
 /* Thin letters are drawn lightly: a light line is a narrow one. */
 static float pressure_of(const lettering *l)
 {
-    double p = 0.6 + 0.4 * l->stem / l->options->pencil_width;
+    double p = 0.6 + 0.4 * l->stem / l->options->shade_width;
     return (float)fmin(1, fmax(0.7, p));
 }
 
@@ -101,7 +102,7 @@ static bool add_stroke(lettering *l, point origin, const pen *p, const pen_strok
 static bool add_dot(lettering *l, box b)
 {
     point middle = {(b.x0 + b.x1) / 2, (b.y0 + b.y1) / 2};
-    double radius = fmax((size_of(b) - l->options->pencil_width) / 2, MIN_RING_MM);
+    double radius = fmax((size_of(b) - l->options->shade_width) / 2, MIN_RING_MM);
     bool ok = begin_stroke(l, true, 0);
     for (int i = 0; ok && i <= 12; i++) {
         double a = -PLB_PI / 2 - (i % 12) * PLB_PI / 6;
@@ -137,7 +138,7 @@ static bool is_long_bar(const letter_part *part, point *from, point *to)
 
 static bool add_bar(lettering *l, point from, point to, double width)
 {
-    double off = fmin(NIB_PENCILS * l->options->pencil_width, width) / 2 / plb_point_distance(from, to);
+    double off = fmin(NIB_PENCILS * l->options->shade_width, width) / 2 / plb_point_distance(from, to);
     l->letters++;
     return begin_stroke(l, false, width) && plb_track_push(&l->strokes, point_mix(from, to, off), false) &&
            plb_track_push(&l->strokes, point_mix(to, from, off), false);
@@ -172,9 +173,9 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
         return false;
     double radius = g->largest, stem = g->stem;
     bool ok = true, compact = radius > COMPACT * stem && part->perimeter < MAX_ROUNDNESS * 2 * PLB_PI * stem; /* P^2/A = 2 P / stem */
-    *taken = g->is_rastered && is_thin(l, stem) && !is_arrow(l, part, radius, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->options->pencil_width);
+    *taken = g->is_rastered && is_thin(l, stem) && !is_arrow(l, part, radius, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->options->shade_width);
     if (*taken && compact)
-        *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->options->pencil_width);
+        *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->options->shade_width);
     size_t before = l->strokes.tracks.n;
     l->breadth = stem;
     if (*taken && !is_dot(l, part->bounds, compact))
@@ -194,7 +195,7 @@ static bool draw_parts(lettering *l, const letter_parts *parts, bool *taken, err
             ok = draw_part(l, &parts->parts.v[i], taken, err);
     if (l->letters == 0)
         for (size_t i = 0; i < parts->parts.n; i++)
-            *taken = *taken && size_of(parts->parts.v[i].bounds) <= LONE_DOT_PENCILS * l->options->pencil_width;
+            *taken = *taken && size_of(parts->parts.v[i].bounds) <= LONE_DOT_PENCILS * l->options->shade_width;
     return ok;
 }
 
@@ -227,11 +228,22 @@ static void turn_by_hand(track_list *strokes, size_t i)
         reverse(v, t->n);
 }
 
+/* A letter's strokes are made with more or less of the point, by this part of their own breadth, up to the whole lead (chosen by eye). */
+#define LETTER_BREADTH 0.8
+/* Who letters with a blunt lead turns it to its edge, which is so broad (chosen by eye). */
+#define EDGE_BREADTH 0.72
+
+static float breadth_of(const plan_options *o, double breadth)
+{
+    return o->point < 1 ? (float)clamp(LETTER_BREADTH * breadth / o->shade_width, o->point, 1) : (float)EDGE_BREADTH;
+}
+
 /* A broad stroke keeps its weight: passes side by side, in the stroke's style. */
 static bool take_stroke(const lettering *l, size_t i, const item *fill, track_list *out, error *err)
 {
     track t = plb_track_at(&l->strokes, i);
-    if (l->breadths.v[i] <= BOLD_PENCILS * l->options->pencil_width)
+    t.style.breadth = breadth_of(l->options, l->breadths.v[i]);
+    if (l->breadths.v[i] <= BOLD_PENCILS * l->options->shade_width)
         return plb_track_copy(out, &t) || plb_fail_memory(err);
     item broad = {.kind = ITEM_STROKE, .paint = fill->paint, .width = l->breadths.v[i], .cap = LINE_CAP_BUTT};
     size_t first = out->tracks.n;

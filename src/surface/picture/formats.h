@@ -33,7 +33,7 @@ struct picture_format {
     bool (*begin_page)(picture *p, error *err);
     bool (*add)(picture *p, error *err); /* p->band */
     bool (*begin_layer)(picture *p, const picture_layer *layer, error *err);
-    bool (*add_path)(picture *p, const path *drawn, double opacity, error *err);
+    bool (*add_path)(picture *p, const path *drawn, double width, double opacity, error *err);
     bool (*end_page)(picture *p, error *err);
     bool (*end)(picture *p, error *err);
     void (*drop)(picture *p);    /* frees p->own, also half made */

@@ -146,10 +146,10 @@ bool plb_picture_begin_layer(picture *p, const picture_layer *layer, error *err)
     return p->format->begin_layer(p, layer, err);
 }
 
-bool plb_picture_add_path(picture *p, const path *drawn, double opacity, error *err)
+bool plb_picture_add_path(picture *p, const path *drawn, double width, double opacity, error *err)
 {
     errno = 0;
-    return p->format->add_path(p, drawn, opacity, err);
+    return p->format->add_path(p, drawn, width, opacity, err);
 }
 
 bool plb_picture_end_page(picture *p, error *err)

@@ -62,10 +62,10 @@ void plb_picture_free(picture *p);
 typedef struct {
     const char *label;
     uint32_t colour; /* 0xRRGGBB, of all its paths */
-    double width;    /* of all its paths, mm */
+    double width;    /* of its paths, mm, but for those that say another */
 } picture_layer;
 bool plb_picture_begin_layer(picture *p, const picture_layer *layer, error *err);
-/* A path of lines and curves, mm, of an opacity from 0 to 1. */
-bool plb_picture_add_path(picture *p, const path *drawn, double opacity, error *err);
+/* A path of lines and curves, `width` mm wide, of an opacity from 0 to 1. */
+bool plb_picture_add_path(picture *p, const path *drawn, double width, double opacity, error *err);
 
 #endif

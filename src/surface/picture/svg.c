@@ -13,8 +13,12 @@
 #include <stdio.h>
 #include <string.h>
 
+/* Widths that differ by less, mm, are written as one. */
+#define SAME_WIDTH 0.005
+
 typedef struct {
     int layers;      /* begun in this page */
+    double width;    /* the open layer's, mm */
     bool layer_open;
     long long x, y;  /* the current place, micrometres */
     long long from_x, from_y; /* where the subpath began */
@@ -70,6 +74,7 @@ static bool begin_layer(picture *p, const picture_layer *layer, error *err)
     bool ok = end_layer(p) && plb_picture_print(p, "<g id=\"layer%d\" inkscape:groupmode=\"layer\" inkscape:label=\"", ++f->layers) && put_escaped(p, layer->label) &&
               plb_picture_print(p, "\" fill=\"none\" stroke=\"#%06x\" stroke-width=\"%s\" stroke-linecap=\"round\" stroke-linejoin=\"round\">\n", (unsigned)layer->colour, width);
     f->layer_open = ok;
+    f->width = layer->width;
     return ok || plb_picture_fail(p, err);
 }
 
@@ -136,10 +141,13 @@ static bool put_path(picture *p, const path *drawn)
     return ok;
 }
 
-static bool add_path(picture *p, const path *drawn, double opacity, error *err)
+static bool add_path(picture *p, const path *drawn, double width, double opacity, error *err)
 {
     char text[48];
+    svg_file *f = p->own;
     bool ok = plb_picture_print(p, "<path d=\"") && put_path(p, drawn) && plb_picture_print(p, "\"");
+    if (ok && fabs(width - f->width) >= SAME_WIDTH)
+        ok = plb_picture_print(p, " stroke-width=\"%s\"", plb_format_number(text, width, 2));
     if (ok && opacity < 0.995)
         ok = plb_picture_print(p, " stroke-opacity=\"%s\"", plb_format_number(text, opacity, 2));
     return (ok && plb_picture_print(p, "/>\n")) || plb_picture_fail(p, err);

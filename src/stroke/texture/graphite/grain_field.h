@@ -44,6 +44,7 @@ typedef struct {
     grain_end first, last;
     float pressure_first, pressure_last; /* times the usual, changing evenly between the ends; 0: usual */
     bool careful;                        /* as in lettering: a fine point, and strokes more alike */
+    float breadth;                       /* of the point, times the captured line's; 0: as captured */
 } grain_ends;
 
 /* Pages finer than this show single pixels of the field: their edges are broken up. */

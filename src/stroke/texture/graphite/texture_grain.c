@@ -119,12 +119,13 @@ static double within_spread(const profile *p, int figure, double x)
     return figure < 2 ? clamp(x, -of_many[figure], of_many[figure]) : x;
 }
 
-/* Who letters, turns the pencil to a fine point and takes care: strokes are narrower, darker and more alike (by eye). */
-#define CAREFUL_WIDTH 0.72
-#define CAREFUL_DEPTH 1.12
+/* Who letters takes care: strokes are more alike (by eye). */
 #define CAREFUL_SPREAD 0.4
+/* A fine point bears the same load on less paper: the depth goes with this power of the breadth (by eye: .72 as broad, 1.12 as dark). */
+#define FINE_DEPTH (-0.35)
 
-static line_figures draw_line(const pencil *p, bool careful, uint64_t key)
+/* `breadth`: of the lead, times the captured line's. */
+static line_figures draw_line(const pencil *p, bool careful, double breadth, uint64_t key)
 {
     const grain_model *g = &p->profile->grain;
     double x[GRAIN_LINE], n[GRAIN_LINE];
@@ -136,8 +137,8 @@ static line_figures draw_line(const pencil *p, bool careful, uint64_t key)
         x[i] = g->line_mean[i] + within_spread(p->profile, i, x[i]) * (careful ? CAREFUL_SPREAD : 1);
     }
     line_figures f = {clamp(exp(x[0]), 1, 254), clamp(exp(x[1]), 0.5, 200), x[2], x[3], x[4], {0}};
-    f.depth = careful ? fmin(f.depth * CAREFUL_DEPTH, 254) : f.depth;
-    f.width *= careful ? CAREFUL_WIDTH : 1;
+    f.depth = fmin(f.depth * pow(breadth, FINE_DEPTH), 254);
+    f.width *= breadth;
     for (int i = 0; i < GRAIN_MODES; i++)
         f.mode[i] = g->mode_is_odd[i] ? sqrt(g->mode_between[i]) * normal_at(p->grain, key, (uint64_t)(GRAIN_LINE + i)) : x[5 + i];
     return f;
@@ -428,7 +429,7 @@ bool plb_grain_make(grain *g, double length_px, grain_ends ends, const pencil *p
         return plb_fail(err, ERROR_ARGUMENT, "the pencil '%s' was captured without its grain; --model hla draws with it", p->profile->name);
     if (!(length_px <= COLUMNS_MAX))
         return plb_fail(err, ERROR_LIMIT, "a stroke is too long");
-    line_figures f = draw_line(p, ends.careful, random_key(seed, identity, PURPOSE_LINE));
+    line_figures f = draw_line(p, ends.careful, ends.breadth > 0 ? (double)ends.breadth : 1, random_key(seed, identity, PURPOSE_LINE));
     g->pencil = p;
     press(g, &f, sqrt(usual_or((double)ends.pressure_first) * usual_or((double)ends.pressure_last)));
     set_line(g, &f, ends);
