@@ -7,7 +7,7 @@
 #include "surface/picture/formats.h"
 
 #include "base/array.h"
-#include "surface/picture/deflate.h"
+#include "surface/picture/deflate/deflate.h"
 #include "system/thread_team.h"
 
 #include <zlib.h>

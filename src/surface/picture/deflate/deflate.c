@@ -7,7 +7,7 @@
  *     zlib, runs only         0.024 s  2,081 kB       zlib 1   0.056 s  2,148 kB       libdeflate 1   0.022 s  2,098 kB
  *     zlib, no matches at all 0.023 s  2,150 kB       zlib 9   0.289 s  2,098 kB       libdeflate 9   0.106 s  2,095 kB
  */
-#include "surface/picture/deflate.h"
+#include "surface/picture/deflate/deflate.h"
 
 #include "base/array.h"
 
