@@ -33,7 +33,10 @@ say = @$(if $(filter 1,$(V)),:,printf '  %-7s %s\n')
 with_jpeg := $(shell pkg-config --exists libjpeg && echo libjpeg)
 with_webp := $(shell pkg-config --exists libwebp libwebpmux && echo libwebp libwebpmux)
 with_tiff := $(shell pkg-config --exists 'libtiff-4 >= 4.5' && echo libtiff-4)
-packages_lib = cairo libpng zlib libseccomp $(with_jpeg) $(with_webp) $(with_tiff)
+# libtiff is loaded when a TIFF is written, by the name under which programs that link it would find it.
+tiff_library := $(and $(with_tiff),$(shell objdump -p "$$(pkg-config --variable=libdir libtiff-4)/libtiff.so" 2>/dev/null | awk '$$1 == "SONAME" { print $$2 }'))
+packages_linked = cairo libpng zlib libseccomp $(with_jpeg) $(with_webp)
+packages_lib = $(packages_linked) $(with_tiff)
 packages_tap = librsvg-2.0 cairo cairo-script libxml-2.0 fontconfig
 packages_plain = libxml-2.0
 
@@ -41,7 +44,7 @@ WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
 # -ffp-contract=off: the same drawing from every compiler and level (no fused multiply-add). Nobody asks whether a root or a
 # division went wrong: the others let them stand in loops.
 CFLAGS_ALL = -std=c17 $(WARN) -fPIC -ffp-contract=off -fno-math-errno -fno-trapping-math -fvisibility=hidden -MMD -MP $(flags_$(BUILD)) \
-             $(if $(with_jpeg),-DPLB_WITH_JPEG) $(if $(with_webp),-DPLB_WITH_WEBP) $(if $(with_tiff),-DPLB_WITH_TIFF) \
+             $(if $(with_jpeg),-DPLB_WITH_JPEG) $(if $(with_webp),-DPLB_WITH_WEBP) $(if $(tiff_library),-DPLB_TIFF_LIBRARY='"$(tiff_library)"') \
              -D_POSIX_C_SOURCE=200809L -Isrc $(CFLAGS)
 # Position-independent programs whose tables of addresses are read-only before the first line runs, no code on the stack.
 LDFLAGS_release = -pie -Wl,-z,relro,-z,now,-z,noexecstack
@@ -123,7 +126,7 @@ $(O)/exports.map: src/api/plumbago.h
 $(O)/$(shared): $(lib_obj) $(O)/pencils.o $(O)/exports.map
 	$(say) LINK $@
 	$(Q)$(CC) -shared -Wl,-soname,libplumbago.so.$(SOVERSION) -Wl,--version-script=$(O)/exports.map $(whole_$(BUILD)) \
-	    $(filter-out -pie,$(LDFLAGS_ALL)) $(filter %.o,$^) $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
+	    $(filter-out -pie,$(LDFLAGS_ALL)) $(filter %.o,$^) $(shell pkg-config --libs $(packages_linked)) -lm -pthread -o $@
 	$(Q)ln -sf $(shared) $(O)/libplumbago.so.$(SOVERSION) && ln -sf libplumbago.so.$(SOVERSION) $(O)/libplumbago.so
 
 # The programs share these files, in folders.
@@ -132,7 +135,7 @@ $(O)/plumbago: $(O)/tool/plumbago.o $(tool_parts) $(O)/libplumbago.a
 $(O)/plumbago-profile: $(O)/tool/plumbago_profile.o $(tool_parts) $(O)/libplumbago.a
 $(O)/plumbago $(O)/plumbago-profile:
 	$(say) LINK $@
-	$(Q)$(CC) $(LDFLAGS_ALL) $^ $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
+	$(Q)$(CC) $(LDFLAGS_ALL) $^ $(shell pkg-config --libs $(packages_linked)) -lm -pthread -o $@
 
 # Taps are programs of their own, made of base, list, tap/common and their own folder; the one links librsvg, the other libxml2
 # alone, which starts in a fifth of the time.
@@ -311,7 +314,7 @@ install: all
 	ln -sf libplumbago.so.$(SOVERSION) "$(DESTDIR)$(LIBDIR)/libplumbago.so"
 	install -m 644 $(pencils) "$(dest)/share/plumbago/profiles"
 	printf '%s\n' 'prefix=$(PREFIX)' 'libdir=$(LIBDIR)' 'Name: plumbago' 'Description: vector drawings drawn with a pencil' 'Version: $(VERSION)' \
-	    'Requires: cairo' 'Requires.private: $(filter-out cairo,$(packages_lib))' 'Libs: -L$${libdir} -lplumbago' 'Libs.private: -lm -pthread' \
+	    'Requires: cairo' 'Requires.private: $(filter-out cairo,$(packages_linked))' 'Libs: -L$${libdir} -lplumbago' 'Libs.private: -lm -pthread' \
 	    'Cflags: -I$${prefix}/include' > "$(DESTDIR)$(LIBDIR)/pkgconfig/plumbago.pc"
 	if [ -z "$(DESTDIR)" ] && [ "$$(id -u)" = 0 ]; then ldconfig "$(LIBDIR)"; fi
 	$(completions)

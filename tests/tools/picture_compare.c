@@ -74,7 +74,7 @@ static picture read_webp(const char *file)
 static picture read_webp(const char *file) { return (void)file, exit(3), (picture){0}; }
 #endif
 
-#ifdef PLB_WITH_TIFF
+#ifdef PLB_TIFF_LIBRARY
 #include <tiffio.h>
 static picture read_tiff(const char *file)
 {
