@@ -14,22 +14,30 @@ __attribute__((weak)) bool plb_test_may_allocate(void);
 #define MAY_ALLOCATE true
 #endif
 
+static bool resize(void **v, size_t *capacity, size_t n, size_t size)
+{
+    void *p = MAY_ALLOCATE ? realloc(*v, n * size) : NULL;
+    if (!p)
+        return false;
+    *v = p;
+    *capacity = n;
+    return true;
+}
+
 bool plb_array_grow(void **v, size_t n, size_t *capacity, size_t extra, size_t size)
 {
-    if (extra <= *capacity - n)
-        return true;
     if (extra > SIZE_MAX / 2 / size - n)
         return false;
     size_t want = n + extra, twice = *capacity * 2;
     size_t next = want > twice ? want : twice;
     if (next < 8)
         next = 8;
-    void *p = MAY_ALLOCATE ? realloc(*v, next * size) : NULL;
-    if (!p)
-        return false;
-    *v = p;
-    *capacity = next;
-    return true;
+    return resize(v, capacity, next, size);
+}
+
+bool plb_array_make(void **v, size_t *capacity, size_t n, size_t size)
+{
+    return n <= *capacity || (n <= SIZE_MAX / 2 / size && resize(v, capacity, n, size));
 }
 
 void *plb_new(size_t n, size_t size)

@@ -58,13 +58,14 @@ static const char *take_digits(decimal *d, const char *p, const char *end)
             p++;
     if (is_digit(p, end) && !d->first)
         d->first = p;
-    for (; is_digit(p, end); p++) {
-        if (d->count < MAX_DIGITS)
-            d->digits = d->digits * 10 + (uint64_t)(*p - '0');
-        else if (*p != '0')
-            d->cut = true;
-        d->count++;
-    }
+    uint64_t digits = d->digits;
+    int64_t count = d->count;
+    for (; count < MAX_DIGITS && is_digit(p, end); p++, count++)
+        digits = digits * 10 + (uint64_t)(*p - '0');
+    for (; is_digit(p, end); p++, count++)
+        d->cut = d->cut || *p != '0';
+    d->digits = digits;
+    d->count = count;
     return p;
 }
 

@@ -268,7 +268,7 @@ static bool take_path(reader *r)
 static bool move_path(reader *r, path *to)
 {
     size_t ops = r->path.ops.n, points = r->path.points.n;
-    if (!array_reserve(&to->ops, ops) || !array_reserve(&to->points, points))
+    if (!array_make(&to->ops, ops) || !array_make(&to->points, points))
         return plb_fail_memory(r->err);
     if (ops)
         memcpy(to->ops.v, r->path.ops.v, ops);
@@ -368,7 +368,7 @@ static bool take_dashes(reader *r, item *it)
         return fail_expecting(r, "@ and the offset of the dashes");
     if (r->dash.n % 2 || !r->dash.n)
         return plb_fail(r->err, ERROR_SYNTAX, "dashes that are no pairs");
-    if (!array_reserve(&it->dash, r->dash.n))
+    if (!array_make(&it->dash, r->dash.n))
         return plb_fail_memory(r->err);
     memcpy(it->dash.v, r->dash.v, r->dash.n * sizeof *r->dash.v);
     it->dash.n = r->dash.n;

@@ -3,13 +3,11 @@
 
 #include <string.h>
 
-/* Is a byte at hand, or does one arrive? */
-static bool have_byte(list_scan *s)
+/* Asks for more bytes; false when none arrives. */
+static bool refill(list_scan *s)
 {
     const char *data = NULL;
     size_t size = 0;
-    if (s->at < s->end)
-        return true;
     while (!size && !s->is_over)
         s->is_over = !s->refill(s->closure, &data, &size);
     s->at = s->is_over ? NULL : data;
@@ -17,9 +15,12 @@ static bool have_byte(list_scan *s)
     return !s->is_over;
 }
 
+/* Is a byte at hand, or does one arrive? */
+static inline bool have_byte(list_scan *s) { return s->at < s->end || refill(s); }
+
 static bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 /* Tells whether the byte may stand in a word: printable ASCII, but not the sign of a comment. */
-static bool is_inside(char c) { return c > ' ' && c < 127 && c != '#'; }
+static bool is_inside(char c) { return (unsigned char)(c - '!') <= '~' - '!' && c != '#'; }
 
 /* Skips to the end of the line, which stays unread. */
 static void skip_comment(list_scan *s)
@@ -103,5 +104,5 @@ bool plb_list_take_text(list_scan *s, char *text, size_t size)
 
 bool plb_list_is_word(const list_scan *s, const char *word)
 {
-    return strlen(word) == s->length && !memcmp(word, s->word, s->length);
+    return s->length && *word == *s->word && strlen(word) == s->length && !memcmp(word, s->word, s->length);
 }

@@ -33,10 +33,12 @@ static void put_character(list_writer *w, char c)
     w->n++;
 }
 
+/* Writes a text of at most PIECE_MAX bytes. */
 static void put_bytes(list_writer *w, const char *text)
 {
-    for (; *text; text++)
-        put_character(w, *text);
+    size_t n = strlen(text);
+    memcpy(room_for_piece(w), text, n);
+    w->n += n;
 }
 
 static void put_word(list_writer *w, const char *word)
