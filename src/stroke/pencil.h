@@ -68,9 +68,9 @@ struct pencil {
 
 /* Makes p->grain from p->profile->grain (pencil_grain.c); false when out of memory. */
 bool plb_pencil_tabulate_grain(pencil *p, paper_kind on);
-/* pencil_noise.c: t->noise, from t->normal and t->paper; t->slow. */
+/* pencil_noise.c: t->noise, from t->normal and t->paper; t->amplitude, false when out of memory; t->slow. */
 void plb_pencil_tabulate_noise(grain_tables *t, const grain_model *g);
-void plb_pencil_tabulate_amplitude(grain_tables *t, const grain_model *g);
+bool plb_pencil_tabulate_amplitude(grain_tables *t, const grain_model *g);
 void plb_pencil_tabulate_slow(grain_tables *t, const grain_model *g);
 
 #endif

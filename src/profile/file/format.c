@@ -4,15 +4,11 @@
  */
 #include "profile/file/format.h"
 
+#include <zlib.h>
+
 uint32_t plb_crc32(const unsigned char *data, size_t size)
 {
-    uint32_t crc = 0xffffffffu;
-    for (size_t i = 0; i < size; i++) {
-        crc ^= data[i];
-        for (int bit = 0; bit < 8; bit++)
-            crc = (crc >> 1) ^ (0xedb88320u & (0u - (crc & 1u)));
-    }
-    return ~crc;
+    return (uint32_t)crc32_z(0, data, size);
 }
 
 /* Gives the length of the UTF-8 sequence at `s` and its code point; 0 when malformed (RFC 3629: no overlong forms, no

@@ -229,7 +229,6 @@ bool plb_pencil_tabulate_grain(pencil *p, paper_kind on)
     tabulate_section(t, g);
     tabulate_rows(t, g);
     plb_pencil_tabulate_noise(t, g);
-    plb_pencil_tabulate_amplitude(t, g);
     plb_pencil_tabulate_slow(t, g);
-    return true;
+    return plb_pencil_tabulate_amplitude(t, g);
 }

@@ -9,6 +9,7 @@
  * a few additions a column. A window of some twenty numbers at one of 2048 places, five such summed in each column: no
  * section of a stroke ever comes again.
  */
+#include "base/array.h"
 #include "base/geometry/interpolate.h"
 #include "base/number/random.h"
 #include "profile/grain/grain.h"
@@ -137,22 +138,39 @@ static double weight_beside(double r)
     return (1 - sqrt(1 - 2 * r * r)) / (2 * r);
 }
 
-/* Two rounds of the ring, as of the slow changes below. */
-void plb_pencil_tabulate_amplitude(grain_tables *t, const grain_model *g)
+#define AMPLITUDE_ROWS (2 * NOISE_PAD)
+
+static void step_amplitudes(double state[AMPLITUDE_ROWS], double keep, const float normal[AMPLITUDE_ROWS])
 {
-    const int rows = 2 * NOISE_PAD;
-    double keep = exp(-1 / PATCH_COLUMNS), fresh = sqrt(1 - keep * keep), k = weight_beside(clamp((double)g->volatility_across, 0.01, MAX_NOISE_ACROSS));
-    double state[2 * NOISE_PAD] = {0}, unit = (double)g->volatility / sqrt(1 + 2 * k * k);
+    double fresh = sqrt(1 - keep * keep);
+    for (int r = 0; r < AMPLITUDE_ROWS; r++)
+        state[r] = keep * state[r] + fresh * (double)normal[r];
+}
+
+/* Two rounds of the ring, as of the slow changes below; both take the same numbers. */
+bool plb_pencil_tabulate_amplitude(grain_tables *t, const grain_model *g)
+{
+    enum { ROWS = AMPLITUDE_ROWS };
+    double keep = exp(-1 / PATCH_COLUMNS), k = weight_beside(clamp((double)g->volatility_across, 0.01, MAX_NOISE_ACROSS));
+    double state[ROWS] = {0}, unit = (double)g->volatility / sqrt(1 + 2 * k * k);
+    float(*normal)[ROWS] = plb_new(AMPLITUDE_LENGTH, sizeof *normal);
     uint64_t key = random_key(0, 0, PURPOSE_CHAIN);
-    for (int s = 0; s < 2 * AMPLITUDE_LENGTH; s++) {
-        int column = s % AMPLITUDE_LENGTH;
-        for (int r = 0; r < rows; r++)
-            state[r] = keep * state[r] + fresh * (double)t->normal[random_bits(key, (uint64_t)(column * rows + r)) >> 52];
-        for (int r = 0; r < rows && s >= AMPLITUDE_LENGTH; r++) {
-            double v = state[r] + k * (state[r > 0 ? r - 1 : rows - 1] + state[r + 1 < rows ? r + 1 : 0]);
-            t->amplitude[column][r] = (int8_t)fmin(127, floor(exp(unit * v) * AMPLITUDE_UNIT + 0.5));
+    if (!normal)
+        return false;
+    for (int column = 0; column < AMPLITUDE_LENGTH; column++) {
+        for (int r = 0; r < ROWS; r++)
+            normal[column][r] = t->normal[random_bits(key, (uint64_t)(column * ROWS + r)) >> 52];
+        step_amplitudes(state, keep, normal[column]);
+    }
+    for (int column = 0; column < AMPLITUDE_LENGTH; column++) {
+        step_amplitudes(state, keep, normal[column]);
+        for (int r = 0; r < ROWS; r++) {
+            double v = exp(unit * (state[r] + k * (state[r > 0 ? r - 1 : ROWS - 1] + state[r + 1 < ROWS ? r + 1 : 0]))) * AMPLITUDE_UNIT + 0.5;
+            t->amplitude[column][r] = (int8_t)(v < 128 ? v : 127);
         }
     }
+    plb_free(normal);
+    return true;
 }
 
 /* ---- slow changes ---- */
