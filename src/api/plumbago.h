@@ -174,6 +174,10 @@ typedef struct {
 PLB_API const plb_setting *plb_setting_at(size_t index);
 /* Gives the words that a choice takes, and a page's names; NULL past the last. */
 PLB_API const char *plb_setting_word(const plb_setting *setting, size_t index);
+/* Gives the number of letters of `word`, of n bytes, that must be changed, left out, added or swapped with their neighbour to
+ * make `name`; PLB_NAME_FAR where so many must that nobody meant it. Command lines propose the nearest name by this. */
+PLB_API size_t plb_name_distance(const char *name, const char *word, size_t n);
+#define PLB_NAME_FAR ((size_t)-1)
 
 /* ---- drawing --------------------------------------------------------------------------------------------- */
 

@@ -86,7 +86,10 @@ static void numbers_keep_to_their_range(void)
     is_refused(o, "page-size", "A4-sideways", "-landscape");
     is_refused(o, "scale", "1/0", "1/2");
     plb_error e;
-    CHECK(!plb_options_set(o, "dip", "300", &e) && strstr(e.text, "'dip'"));
+    CHECK(!plb_options_set(o, "dip", "300", &e) && !strcmp(e.text, "unknown setting 'dip'; did you mean 'dpi'?"));
+    CHECK(!plb_options_set(o, "pencl", "HB", &e) && !strcmp(e.text, "unknown setting 'pencl'; did you mean 'pencil'?"));
+    CHECK(!plb_options_set_number(o, "tone-of-voice", 1, &e) && !strcmp(e.text, "unknown setting 'tone-of-voice'"));
+    CHECK(plb_name_distance("width", "widht and more", 5) == 1 && plb_name_distance("width", "height", 6) == PLB_NAME_FAR);
     CHECK(!plb_options_set_number(o, "arm", 1, &e) && !plb_options_set_number(o, "threads", 1.5, &e));
     plb_options_free(o);
 }

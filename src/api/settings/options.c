@@ -49,11 +49,30 @@ void plb_options_free(plb_options *o)
 
 /* ---- by name ---- */
 
+/* Fails, and names the setting that was probably meant. */
+static void refuse_name(const char *name, error *err)
+{
+    const char *nearest = NULL;
+    size_t least = PLB_NAME_FAR;
+    const setting *s;
+    for (size_t i = 0; (s = plb_setting_row(i)); i++) {
+        size_t away = plb_name_distance(s->shown.name, name, strlen(name));
+        if (away < least) {
+            least = away;
+            nearest = s->shown.name;
+        }
+    }
+    if (nearest)
+        plb_fail(err, ERROR_ARGUMENT, "unknown setting '%.80s'; did you mean '%s'?", name, nearest);
+    else
+        plb_fail(err, ERROR_ARGUMENT, "unknown setting '%.80s'", name);
+}
+
 static const setting *find(const char *name, error *err)
 {
     const setting *s = plb_setting_find(name);
     if (!s)
-        plb_fail(err, ERROR_ARGUMENT, "there is no setting '%.80s'", name);
+        refuse_name(name, err);
     return s;
 }
 

@@ -4,7 +4,7 @@
  */
 #include "tool/options/options.h"
 
-#include "tool/options/nearest.h"
+#include "api/plumbago.h"
 #include "tool/options/streams.h"
 
 #include <stdio.h>
@@ -35,10 +35,10 @@ static const option *find_name(const option *table, size_t n, const char *name, 
 static bool complain_of_name(const option_parser *by, const char *word, size_t length)
 {
     const char *nearest = NULL;
-    size_t least = nearest_limit(length);
+    size_t least = PLB_NAME_FAR;
     for (size_t i = 0; i < by->n; i++) {
-        size_t away = by->table[i].name ? nearest_distance(by->table[i].name, word, length) : NEAREST_FAR;
-        if (away <= least && (away < least || !nearest)) {
+        size_t away = by->table[i].name ? plb_name_distance(by->table[i].name, word, length) : PLB_NAME_FAR;
+        if (away < least) {
             least = away;
             nearest = by->table[i].name;
         }
