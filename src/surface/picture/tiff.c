@@ -19,7 +19,7 @@
 /* Files that might not fit into 4 GiB are written as BigTIFF. */
 #define BIG_BYTES 3e9
 
-/* What is used of libtiff. */
+/* These functions of libtiff are used. */
 typedef struct {
     __typeof__(TIFFOpenOptionsAlloc) *new_options;
     __typeof__(TIFFOpenOptionsFree) *free_options;
