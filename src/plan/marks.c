@@ -87,7 +87,7 @@ static bool add_letters(const plan_context *p, size_t i, bool outlined, bool *ta
     const item *it = &p->list->items.v[i];
     text_style text = p->options->text;
     stroke_style style = style_of(p, it);
-    if (!plb_plan_letter(it, p->options, p->glyphs, taken, out, err))
+    if (!plb_plan_letter(it, plb_letter_run_at(p->runs, i), p->options, p->glyphs, taken, out, err))
         return false;
     for (size_t k = 0; k < out->tracks.n; k++) {
         out->tracks.v[k].style.pressure *= style.pressure;
@@ -114,7 +114,7 @@ static bool belongs_to_letter(const plan_context *p, size_t i, bool *belongs, er
         box n = plb_path_bounds(&it->path);
         double h = fmax(n.x1 - n.x0, n.y1 - n.y0), apart = fmax(fmax(n.x0 - b.x1, b.x0 - n.x1), fmax(n.y0 - b.y1, b.y0 - n.y1));
         bool is_near = k != i && it->kind == ITEM_FILL && apart < DOT_NEAR * h && fmin(w, high) < DOT_SIZE * h && fmax(w, high) < h;
-        ok = !is_near || plb_plan_letter(it, p->options, p->glyphs, belongs, &letter, err);
+        ok = !is_near || plb_plan_letter(it, plb_letter_run_at(p->runs, k), p->options, p->glyphs, belongs, &letter, err);
     }
     plb_tracks_free(&letter);
     return ok;

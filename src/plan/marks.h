@@ -8,6 +8,7 @@
 #include "plan/hatch/hatch.h"
 #include "plan/hidden/occlusion.h"
 #include "plan/letter/glyphs.h"
+#include "plan/letter/runs.h"
 
 /* The marks of all items of a drawing go by these. */
 typedef struct {
@@ -17,6 +18,7 @@ typedef struct {
     occluders *occluders;
     hatcher hatcher;
     glyph_store *glyphs;
+    letter_runs *runs;
     double usual_width; /* of the drawing's lines, mm */
 } plan_context;
 

@@ -162,11 +162,13 @@ static bool context_init(plan_context *c, const display_list *list, const plan_o
     c->clips = plb_clipper_new(list, err);
     c->occluders = c->clips ? plb_occluders_new(list, o, c->clips, err) : NULL;
     c->glyphs = c->occluders ? plb_glyphs_new(o->pencil_width, err) : NULL;
-    return c->glyphs && plb_usual_width(list, o, &c->usual_width, err);
+    c->runs = c->glyphs ? plb_letter_runs_new(list, err) : NULL;
+    return c->runs && plb_usual_width(list, o, &c->usual_width, err);
 }
 
 static void context_free(plan_context *c)
 {
+    plb_letter_runs_free(c->runs);
     plb_glyphs_free(c->glyphs);
     plb_occluders_free(c->occluders);
     plb_clipper_free(c->clips);

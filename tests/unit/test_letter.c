@@ -12,6 +12,7 @@
 typedef struct {
     bool taken, even_odd;
     path path;
+    letter_run run;     /* that the shape is one of */
     size_t n;           /* strokes */
     size_t corners;     /* of all together */
     point first[MOST], last[MOST], middle[MOST];
@@ -66,7 +67,7 @@ static result letter(result *r, double degrees)
     r->bounds = BOX_EMPTY;
     track_list strokes = {0};
     glyph_store *glyphs = plb_glyphs_new(options.pencil_width, NULL);
-    CHECK(glyphs && plb_plan_letter(&it, &options, glyphs, &r->taken, &strokes, NULL));
+    CHECK(glyphs && plb_plan_letter(&it, r->run, &options, glyphs, &r->taken, &strokes, NULL));
     plb_glyphs_free(glyphs);
     for (size_t i = 0; i < strokes.tracks.n; i++) {
         track t = plb_track_at(&strokes, i);
@@ -223,6 +224,31 @@ static void small_letters_are_drawn_lightly(void)
     CHECK_RANGE(small.pressure, .7, .8);
 }
 
+static result stem_in_run(double stem, double of_run, bool bold)
+{
+    result r = {.run = {.fills = 5, .stem = of_run, .size = 4, .is_bold = bold}};
+    add_polygon(&r, (const double[]){10, 10, 10 + stem, 10, 10 + stem, 14, 10, 14}, 4);
+    add_polygon(&r, (const double[]){12, 10, 12 + stem, 10, 12 + stem, 14, 12, 14}, 4);
+    return letter(&r, 0);
+}
+
+/* The limit between one stroke and passes side by side is 1.6 widths of the line, .56 mm: letters on either side of it follow their word. */
+static void letters_of_a_word_have_one_weight(void)
+{
+    result thin = stem_in_run(.50, .52, false), broad = stem_in_run(.62, .52, false);
+    CHECK(thin.taken && broad.taken && thin.n == 2 && broad.n == 2 && thin.pressure == broad.pressure);
+    thin = stem_in_run(.50, .6, false);
+    broad = stem_in_run(.62, .6, false);
+    CHECK(thin.n > 2 && thin.n == broad.n);
+}
+
+static void bold_words_are_darker_and_broader(void)
+{
+    result usual = stem_in_run(.45, .45, false), bold = stem_in_run(.45, .45, true), fine = stem_in_run(.3, .3, true);
+    CHECK(bold.n > usual.n && bold.pressure > usual.pressure);
+    CHECK(fine.n == 2 && fine.pressure > stem_in_run(.3, .3, false).pressure);
+}
+
 /* A comb of many teeth, a star of 100,000 points, points that are all one: they end, quickly. */
 static void huge_and_degenerate_shapes_end(void)
 {
@@ -258,6 +284,8 @@ int main(void)
     RUN(dots_among_letters_are_touches);
     RUN(solid_shapes_are_left_alone);
     RUN(small_letters_are_drawn_lightly);
+    RUN(letters_of_a_word_have_one_weight);
+    RUN(bold_words_are_darker_and_broader);
     RUN(huge_and_degenerate_shapes_end);
     CHECK_EXIT;
 }

@@ -26,12 +26,19 @@
 #define ARROW_CORNERS 12     /* of an arrow that is one polygon, at most */
 #define ARROW_HEAD 1.6       /* the largest disc of such an arrow, in strokes: above; a V about 1.3 */
 #define BAR 5.0              /* a quadrangle this much longer than wide is a line */
-#define BOLD_PENCILS 1.6     /* broader strokes are made of passes side by side */
+#define LENIENT 1.4          /* a letter of a thin word may be so much thicker than the limit */
+#define OF_ITS_KIND 0.7      /* a letter of a thick word that has this part of the word's stem is thick, too */
+#define BROAD_PENCILS 1.6    /* broader strokes are made of passes side by side, */
+#define BOLD_PENCILS 1.15    /* in a bold word from so much on */
+#define BROAD_LEAST 0.8      /* such strokes are as broad as the word's, but for this */
+#define BROAD_MOST 1.25
+#define BOLD_PRESSURE 1.25   /* in a bold word, times the usual */
 
 typedef struct {
     const plan_options *options;
     glyph_store *glyphs;
-    double stem;   /* of the whole fill, mm */
+    letter_run run;
+    double stem;   /* of the whole run, mm */
     double height; /* of its tallest part: the shorter side of its bounds, mm */
     bool is_bar;   /* one shape of at most four sides */
     bool is_alone; /* one part */
@@ -63,7 +70,9 @@ static void measure(lettering *l, const letter_parts *parts)
     }
     l->is_alone = parts->parts.n == 1;
     l->is_bar = parts->parts.n == 1 && parts->parts.v[0].outline.points.n <= 4;
-    l->stem = perimeter > 0 ? 2 * area / perimeter : 0;
+    l->stem = l->run.fills > 1 ? l->run.stem : perimeter > 0 ? 2 * area / perimeter : 0;
+    if (l->run.fills > 1)
+        l->height = fmin(l->run.size, fmax(l->height, l->run.size / 2));
 }
 
 static bool is_thin(const lettering *l, double stem)
@@ -71,11 +80,26 @@ static bool is_thin(const lettering *l, double stem)
     return stem <= THIN_PENCILS * l->options->shade_width || (stem <= THIN_MM && l->height <= SMALL_MM && !l->is_bar);
 }
 
+/* Tells whether a part is as thin as the word it belongs to. */
+static bool is_thin_part(const lettering *l, double stem)
+{
+    if (is_thin(l, l->stem))
+        return is_thin(l, stem / LENIENT);
+    return is_thin(l, stem) && !(l->run.fills > 1 && stem > OF_ITS_KIND * l->stem);
+}
+
+/* Gives how broad the strokes of a part are made, mm; 0: the pencil's line. */
+static double breadth_of(const lettering *l, double stem)
+{
+    double from = l->run.is_bold ? BOLD_PENCILS : BROAD_PENCILS;
+    return l->stem > from * l->options->shade_width ? fmin(fmax(stem, BROAD_LEAST * l->stem), BROAD_MOST * l->stem) : 0;
+}
+
 /* Thin letters are drawn lightly: a light line is a narrow one. */
 static float pressure_of(const lettering *l)
 {
-    double p = 0.6 + 0.4 * l->stem / l->options->shade_width;
-    return (float)fmin(1, fmax(0.7, p));
+    double p = fmin(1, fmax(0.7, 0.6 + 0.4 * l->stem / l->options->shade_width));
+    return (float)(l->run.is_bold ? BOLD_PRESSURE : p);
 }
 
 /* ---- from pen strokes to tracks ---- */
@@ -140,7 +164,7 @@ static bool add_bar(lettering *l, point from, point to, double width)
 {
     double off = fmin(NIB_PENCILS * l->options->shade_width, width) / 2 / plb_point_distance(from, to);
     l->letters++;
-    return begin_stroke(l, false, width) && plb_track_push(&l->strokes, point_mix(from, to, off), false) &&
+    return begin_stroke(l, false, breadth_of(l, width)) && plb_track_push(&l->strokes, point_mix(from, to, off), false) &&
            plb_track_push(&l->strokes, point_mix(to, from, off), false);
 }
 
@@ -165,7 +189,7 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
 {
     point from, to;
     if (is_long_bar(part, &from, &to)) {
-        *taken = is_thin(l, stem_of(part));
+        *taken = is_thin_part(l, stem_of(part));
         return !*taken || add_bar(l, from, to, stem_of(part)) || plb_fail_memory(err);
     }
     const glyph *g = plb_glyph(l->glyphs, part, err);
@@ -173,11 +197,11 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
         return false;
     double radius = g->largest, stem = g->stem;
     bool ok = true, compact = radius > COMPACT * stem && part->perimeter < MAX_ROUNDNESS * 2 * PLB_PI * stem; /* P^2/A = 2 P / stem */
-    *taken = g->is_rastered && is_thin(l, stem) && !is_arrow(l, part, radius, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->options->shade_width);
+    *taken = g->is_rastered && is_thin_part(l, stem) && !is_arrow(l, part, radius, stem) && 2 * radius <= THICK * fmax(l->stem, THIN_PENCILS * l->options->shade_width);
     if (*taken && compact)
         *taken = size_of(part->bounds) <= fmax(DOT_STEMS * l->stem, LONE_DOT_PENCILS * l->options->shade_width);
     size_t before = l->strokes.tracks.n;
-    l->breadth = stem;
+    l->breadth = breadth_of(l, stem);
     if (*taken && !is_dot(l, part->bounds, compact))
         ok = draw_axis(l, part->outline.points.v[0], g, err);
     if (ok && *taken && l->strokes.tracks.n == before) /* of a comma there is a line */
@@ -189,7 +213,7 @@ static bool draw_part(lettering *l, const letter_part *part, bool *taken, error 
 static bool draw_parts(lettering *l, const letter_parts *parts, bool *taken, error *err)
 {
     bool ok = true;
-    *taken = parts->parts.n > 0 && is_thin(l, l->stem);
+    *taken = parts->parts.n > 0 && (is_thin(l, l->stem) || l->run.fills > 1);
     for (size_t i = 0; ok && *taken && i < parts->parts.n; i++)
         if (parts->parts.v[i].area > 0)
             ok = draw_part(l, &parts->parts.v[i], taken, err);
@@ -228,22 +252,23 @@ static void turn_by_hand(track_list *strokes, size_t i)
         reverse(v, t->n);
 }
 
-/* A letter's strokes are made with more or less of the point, by this part of their own breadth, up to the whole lead (chosen by eye). */
+/* A word's strokes are made with more or less of the point, by this part of their own breadth, up to the whole lead (chosen by eye). */
 #define LETTER_BREADTH 0.8
 /* Who letters with a blunt lead turns it to its edge, which is so broad (chosen by eye). */
 #define EDGE_BREADTH 0.72
 
-static float breadth_of(const plan_options *o, double breadth)
+static float point_for(const lettering *l)
 {
-    return o->point < 1 ? (float)clamp(LETTER_BREADTH * breadth / o->shade_width, o->point, 1) : (float)EDGE_BREADTH;
+    const plan_options *o = l->options;
+    return o->point < 1 ? (float)clamp(LETTER_BREADTH * l->stem / o->shade_width, o->point, 1) : (float)EDGE_BREADTH;
 }
 
 /* A broad stroke keeps its weight: passes side by side, in the stroke's style. */
 static bool take_stroke(const lettering *l, size_t i, const item *fill, track_list *out, error *err)
 {
     track t = plb_track_at(&l->strokes, i);
-    t.style.breadth = breadth_of(l->options, l->breadths.v[i]);
-    if (l->breadths.v[i] <= BOLD_PENCILS * l->options->shade_width)
+    t.style.breadth = point_for(l);
+    if (l->breadths.v[i] <= l->options->shade_width)
         return plb_track_copy(out, &t) || plb_fail_memory(err);
     item broad = {.kind = ITEM_STROKE, .paint = fill->paint, .width = l->breadths.v[i], .cap = LINE_CAP_BUTT};
     size_t first = out->tracks.n;
@@ -253,9 +278,9 @@ static bool take_stroke(const lettering *l, size_t i, const item *fill, track_li
     return ok;
 }
 
-bool plb_plan_letter(const item *fill, const plan_options *o, glyph_store *glyphs, bool *taken, track_list *out, error *err)
+bool plb_plan_letter(const item *fill, letter_run run, const plan_options *o, glyph_store *glyphs, bool *taken, track_list *out, error *err)
 {
-    lettering l = {.options = o, .glyphs = glyphs};
+    lettering l = {.options = o, .glyphs = glyphs, .run = run};
     letter_parts parts;
     *taken = false;
     if (!plb_letter_split(&parts, fill, err))
