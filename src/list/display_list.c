@@ -20,6 +20,8 @@ void plb_item_free(item *it)
 {
     plb_path_free(&it->path);
     array_free(&it->dash);
+    plb_text_run_free(it->text);
+    it->text = NULL;
 }
 
 void plb_list_free(display_list *list)
@@ -57,6 +59,7 @@ bool plb_list_add(display_list *list, item *it, error *err)
         return plb_fail_memory(err);
     list->points += it->path.points.n;
     list->dashes += it->dash.n;
+    list->characters += it->text ? it->text->characters.n : 0;
     memset(it, 0, sizeof *it);
     return true;
 }
@@ -79,6 +82,10 @@ void plb_list_transform(display_list *list, matrix m)
     for (size_t i = 0; i < list->items.n; i++) {
         item *it = &list->items.v[i];
         plb_path_transform(&it->path, m);
+        if (it->text && !plb_text_run_map(it->text, m, true)) {
+            plb_text_run_free(it->text);
+            it->text = NULL;
+        }
         it->width *= f;
         it->dash_offset *= f;
         for (size_t k = 0; k < it->dash.n; k++)

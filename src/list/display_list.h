@@ -9,6 +9,7 @@
 #include "base/array.h"
 #include "base/error.h"
 #include "base/geometry/path.h"
+#include "list/characters.h"
 #include "list/omissions.h"
 
 typedef enum { ITEM_STROKE, ITEM_FILL } item_kind;
@@ -59,6 +60,7 @@ typedef struct {
     unsigned gradient; /* with PAINT_GRADIENT: 1 + an index into gradients, or 0: only the mean colour is known */
     int clip;       /* index into clips, or NO_CLIP */
     bool even_odd;  /* fills: the rule */
+    text_run *text; /* fills: what the path says; NULL: nothing is known. Owned */
     line_cap cap;   /* strokes, as the rest below */
     double width;   /* mm; 0: the thinnest line */
     ARRAY(double) dash; /* mm, on and off in turn, an even count; empty: solid */
@@ -72,6 +74,7 @@ typedef struct {
     ARRAY(gradient) gradients;
     size_t points; /* of all paths together */
     size_t dashes; /* of all items together */
+    size_t characters; /* that all items say */
     double paper_scale; /* mm on paper per mm of the thing drawn, where the reader chose it (DXF); else 1 */
     omissions omissions; /* what was met and left out */
 } display_list;
@@ -81,6 +84,7 @@ typedef struct {
 #define LIST_MAX_POINTS 40000000u
 #define LIST_MAX_DASHES 40000000u
 #define LIST_MAX_GRADIENTS 100000u
+#define LIST_MAX_CHARACTERS 4000000u
 
 void plb_list_init(display_list *list);
 void plb_list_free(display_list *list);

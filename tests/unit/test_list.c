@@ -116,6 +116,7 @@ static const char whole[] =
     "fill 1 gradient@1 0.5 0.5 0.5 1 evenodd M 1 1 C 2 2 3 3 4 4 Z L 5 5\n"
     "fill - gradient 0.5 0.5 0.5 1 nonzero M 1 1 L 2 2\n"
     "fill - pattern 0.5 0.5 0.5 1 nonzero M 1 1 M -0 3\n"
+    "fill - colour 0 0 0 1 nonzero text 3.5 -90.00000000000001 U+41 1 1 2 U+66+66+69 2 3 4 U+10ffff 1 5 6 M 1 1 L 2 2 M 3 3 M 4 4 M 5 5 M 6 6\n"
     "stroke 0 colour 0 0.1 1 0.30000000000000004 width 0.2 round M 1 2 L 3.0000000000000004 4\n"
     "stroke - colour 0 0 0 1 width 0 square dash 1 2 3 4.5 @ -2 M 1 2 L 5e-324 4\n"
     "end\n";
@@ -143,7 +144,7 @@ static void all_is_read_as_it_is_meant(void)
     CHECK(reads(whole, &l));
     CHECK(l.width == 100 && l.height == 50.5 && l.paper_scale == 0.02);
     CHECK(l.omissions.n[OMISSION_IMAGE] == 3 && l.omissions.n[OMISSION_OFF_PAGE] == 1 && !strcmp(l.omissions.advice, "a word of advice"));
-    CHECK(l.items.n == 5 && l.clips.n == 2 && l.gradients.n == 2 && l.dashes == 4 && l.points == 16);
+    CHECK(l.items.n == 6 && l.clips.n == 2 && l.gradients.n == 2 && l.dashes == 4 && l.points == 22 && l.characters == 3);
     CHECK(l.clips.v[0].parent == NO_CLIP && l.clips.v[1].parent == 0 && l.clips.v[1].even_odd && l.clips.v[1].path.ops.n == 0);
     const gradient *g = &l.gradients.v[1];
     CHECK(g->radial && g->extend == GRADIENT_REFLECT && g->opacity == 0.5 && g->to_radius == 12.5 && g->to.y == 6 && g->n == 0);
@@ -151,8 +152,9 @@ static void all_is_read_as_it_is_meant(void)
     const item *it = l.items.v;
     CHECK(it[0].kind == ITEM_FILL && it[0].clip == 1 && it[0].even_odd && it[0].paint.kind == PAINT_GRADIENT && it[0].gradient == 2);
     CHECK(it[1].paint.kind == PAINT_GRADIENT && it[1].gradient == 0 && it[2].paint.kind == PAINT_PATTERN);
-    CHECK(it[3].kind == ITEM_STROKE && it[3].cap == LINE_CAP_ROUND && it[3].width == 0.2 && it[3].paint.alpha == 0.1 + 0.2);
-    CHECK(it[4].dash.n == 4 && it[4].dash.v[3] == 4.5 && it[4].dash_offset == -2 && it[4].cap == LINE_CAP_SQUARE);
+    CHECK(it[4].kind == ITEM_STROKE && it[4].cap == LINE_CAP_ROUND && it[4].width == 0.2 && it[4].paint.alpha == 0.1 + 0.2);
+    CHECK(it[3].text && it[3].text->em == 3.5 && it[3].text->characters.v[1].code[2] == 0x69 && it[3].text->characters.v[1].subpaths == 2);
+    CHECK(it[5].dash.n == 4 && it[5].dash.v[3] == 4.5 && it[5].dash_offset == -2 && it[5].cap == LINE_CAP_SQUARE);
     plb_list_free(&l);
 }
 
@@ -174,6 +176,23 @@ static void a_matrix_maps_what_follows(void)
     point in_gradient = plb_matrix_apply(l.gradients.v[0].to_space, (point){12, 38});
     CHECK(fabs(in_gradient.x - 1) < 1e-12 && fabs(in_gradient.y - 1) < 1e-12);
     plb_list_free(&l);
+}
+
+static void letters_are_mapped_unless_turned_over(void)
+{
+    display_list list;
+    CHECK(reads(HEAD "matrix 0 2 -2 0 50 0\nfill - colour 0 0 0 1 nonzero text 3 10 U+41 1 5 25 M 1 1 L 2 2\n"
+                "matrix -1 0 0 1 50 0\nfill - colour 0 0 0 1 nonzero text 3 10 U+41 1 5 25 M 1 1 L 2 2\nend\n", &list));
+    bool is_there = list.items.n == 2 && list.items.v[0].text;
+    CHECK(is_there);
+    if (is_there) {
+        const text_run *t = list.items.v[0].text;
+        CHECK(t->em == 3 && fabs(t->degrees - 100) < 1e-9 && t->characters.n == 1 && t->characters.v[0].at.x == 0 && t->characters.v[0].at.y == 10);
+        CHECK(!list.items.v[1].text && list.characters == 1);
+        plb_list_transform(&list, plb_matrix_scale(2, 2));
+        CHECK(t->em == 6 && t->characters.v[0].at.y == 20);
+    }
+    plb_list_free(&list);
 }
 
 static void shapes_far_away_and_empty_ones_are_left_out(void)
@@ -229,6 +248,18 @@ static void what_is_wrong_is_told_with_its_line(void)
         {"plumbago-list 1\npage 1e999 1\n", 2, "out of range"},
         {"plumbago-list 1\npage nan 1\n", 2, "'nan'"},
         {"plumbago-list 1\npage 10mm 1\n", 2, "'10mm'"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 0 0 U+41 1 0 0 M 1 1\n", 3, "size of the text out of range"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 1 400 U+41 1 0 0 M 1 1\n", 3, "direction of the text out of range"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 1 0 M 1 1\n", 3, "'M' stands where a character"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 1 0 U+ 1 0 0 M 1 1\n", 3, "'U+' stands where a character"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 1 0 U+0 1 0 0 M 1 1\n", 3, "'U+0' stands"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 1 0 U+41+ 1 0 0 M 1 1\n", 3, "'U+41+' stands"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 1 0 U+110000 1 0 0 M 1 1\n", 3, "'U+110000' stands"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 1 0 U+0000041 1 0 0 M 1 1\n", 3, "'U+0000041' stands"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 1 0 U+1+2+3+4+5 1 0 0 M 1 1\n", 3, "stands where a character"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 1 0 U+41 0 0 0 M 1 1\n", 3, "without a subpath"},
+        {HEAD "fill - colour 0 0 0 1 nonzero text 1 0 U+41 1 0 0 U+42 1 0 0 M 1 1\n", 3, "2 subpaths, the path has 1"},
+        {HEAD "stroke - colour 0 0 0 1 width 1 butt text 1 0 U+41 1 0 0 M 1 1\n", 3, "'text' stands"},
         {"plumbago-list 1\npage 10\n", 2, "ends where"},
         {HEAD "draw me\n", 3, "'draw'"},
         {HEAD "scale 0\n", 3, "out of range"},
@@ -333,6 +364,7 @@ int main(void)
     RUN(all_is_read_as_it_is_meant);
     RUN(blanks_comments_and_other_line_ends_do_no_harm);
     RUN(a_matrix_maps_what_follows);
+    RUN(letters_are_mapped_unless_turned_over);
     RUN(shapes_far_away_and_empty_ones_are_left_out);
     RUN(messages_are_passed_on);
     RUN(pages_are_told);

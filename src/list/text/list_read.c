@@ -14,6 +14,8 @@
 #define TEXT_MAX 400
 #define MAX_OMISSIONS 1000000000u /* of a kind; more are not counted */
 #define FARTHEST_CLIP_MM 1e15 /* so that no later mapping makes a clip's point infinite */
+#define CODE_DIGITS 6 /* of a character, hexadecimal */
+#define LARGEST_CODE 0x10ffff
 #define COUNT_DIGITS 9 /* of numbers of clips, of things left out */
 
 typedef struct {
@@ -26,7 +28,8 @@ typedef struct {
     matrix to_page;
     unsigned messages;
     path path;           /* room for the one that is read */
-    ARRAY(double) dash;  /* and for its dashes */
+    ARRAY(double) dash;  /* for its dashes */
+    text_run text;       /* and for what it says; no characters: nothing */
 } reader;
 
 /* ---- words ---------------------------------------------------------------------------------------------------- */
@@ -386,17 +389,93 @@ static bool take_pen(reader *r, item *it)
     return !is(r, "dash") || (next(r) && take_dashes(r, it));
 }
 
+/* Reads the hexadecimal digits of one code; false: there is none, or no character has it. */
+static bool take_code(const char **at, const char *end, uint32_t *code)
+{
+    const char *start = *at;
+    for (*code = 0; *at < end && **at != '+'; ++*at) {
+        int digit = **at >= '0' && **at <= '9' ? **at - '0' : **at >= 'a' && **at <= 'f' ? **at - 'a' + 10 : **at >= 'A' && **at <= 'F' ? **at - 'A' + 10 : -1;
+        if (digit < 0 || *at - start >= CODE_DIGITS)
+            return false;
+        *code = *code << 4 | (uint32_t)digit;
+    }
+    return *code > 0 && *code <= LARGEST_CODE;
+}
+
+/* Reads U+66+69, how many subpaths that has and where it stands, in the coordinates written there. */
+static bool take_character(reader *r, size_t *subpaths)
+{
+    static const char what[] = "a character (U+ and its code)";
+    const char *at = r->scan.word + strlen(LIST_CHARACTER), *end = r->scan.word + r->scan.length;
+    character c = {{0}, 0, {0, 0}};
+    unsigned long n;
+    for (int i = 0; at <= end; i++, at++)
+        if (i == CHARACTER_MAX_CODES || !take_code(&at, end, &c.code[i]))
+            return fail_expecting(r, what);
+    if (!next(r) || !take_count(r, "how many subpaths the character has", &n) || !take_point(r, "the character's place", &c.at))
+        return false;
+    *subpaths += n;
+    c.subpaths = (uint32_t)n;
+    if (!n)
+        return plb_fail(r->err, ERROR_SYNTAX, "a character without a subpath");
+    if (r->text.characters.n >= LIST_MAX_CHARACTERS - r->list->characters)
+        return plb_fail(r->err, ERROR_LIMIT, "the drawing has more than %u characters", LIST_MAX_CHARACTERS);
+    return array_push(&r->text.characters, c) || plb_fail_memory(r->err);
+}
+
+static bool is_character(const reader *r)
+{
+    size_t n = strlen(LIST_CHARACTER);
+    return r->scan.length > n && !memcmp(r->scan.word, LIST_CHARACTER, n);
+}
+
+/* Reads what a fill says, EM DEGREES CHARACTER …, and gives how many subpaths of its path that takes. */
+static bool take_text(reader *r, size_t *subpaths)
+{
+    *subpaths = r->text.characters.n = 0;
+    if (!is(r, LIST_TEXT))
+        return true;
+    if (!next(r) || !take_number(r, 1e-9, LARGEST, "the size of the text", &r->text.em) || !take_number(r, -360, 360, "the direction of the text", &r->text.degrees))
+        return false;
+    while (is_character(r))
+        if (!take_character(r, subpaths))
+            return false;
+    return r->text.characters.n || fail_expecting(r, "a character");
+}
+
+/* Gives the item a copy of what it says, in mm on the page. Where the matrix turns the letters over, nothing is known of them. */
+static bool move_text(reader *r, size_t subpaths, item *it)
+{
+    size_t moves = 0;
+    if (!r->text.characters.n)
+        return true;
+    for (size_t i = 0; i < r->path.ops.n; i++)
+        moves += r->path.ops.v[i] == PATH_MOVE;
+    if (subpaths > moves)
+        return plb_fail(r->err, ERROR_SYNTAX, "the characters have %zu subpaths, the path has %zu", subpaths, moves);
+    it->text = plb_text_run_copy(&r->text, 1);
+    if (!it->text)
+        return plb_fail_memory(r->err);
+    if (r->is_mapped && !plb_text_run_map(it->text, r->to_page, false)) {
+        plb_text_run_free(it->text);
+        it->text = NULL;
+    }
+    return true;
+}
+
 static bool read_item(reader *r, item_kind kind)
 {
     item it = {.kind = kind};
     int rule = 0;
+    size_t subpaths = 0;
     bool good = take_clip(r, &it.clip) && take_paint(r, &it);
+    r->text.characters.n = 0;
     if (good && kind == ITEM_FILL)
-        good = take_one(r, plb_list_rules, "nonzero or evenodd", &rule);
+        good = take_one(r, plb_list_rules, "nonzero or evenodd", &rule) && take_text(r, &subpaths);
     else if (good)
         good = take_pen(r, &it);
     it.even_odd = rule == 1;
-    if (good && take_path(r) && move_path(r, &it.path) && plb_list_add(r->list, &it, r->err))
+    if (good && take_path(r) && move_path(r, &it.path) && move_text(r, subpaths, &it) && plb_list_add(r->list, &it, r->err))
         return true;
     plb_item_free(&it);
     return false;
@@ -469,6 +548,7 @@ bool plb_list_read(list_source *from, display_list *list, error *err)
         good = plb_fail(&why, ERROR_SYNTAX, "the text stops before its end");
     plb_path_free(&r.path);
     array_free(&r.dash);
+    array_free(&r.text.characters);
     from->line = r.scan.line;
     from->complete = good;
     return good || plb_fail(err, why.kind, "%s", why.text);

@@ -195,6 +195,36 @@ static void put_paint(list_writer *w, const item *it)
         put_number(w, all[i]);
 }
 
+/* Writes U+66+69 for a ligature of two letters. */
+static void put_character_codes(list_writer *w, const character *c)
+{
+    static const char digits[] = "0123456789abcdef";
+    put_word(w, LIST_CHARACTER);
+    for (int i = 0; i < CHARACTER_MAX_CODES && c->code[i]; i++) {
+        bool begun = false;
+        if (i)
+            put_character(w, '+');
+        for (int shift = 28; shift >= 0; shift -= 4) {
+            unsigned digit = c->code[i] >> shift & 15;
+            begun = begun || digit || !shift;
+            if (begun)
+                put_character(w, digits[digit]);
+        }
+    }
+}
+
+static void put_what_it_says(list_writer *w, const text_run *t)
+{
+    put_word(w, LIST_TEXT);
+    put_number(w, t->em);
+    put_number(w, t->degrees);
+    for (size_t i = 0; i < t->characters.n; i++) {
+        put_character_codes(w, &t->characters.v[i]);
+        put_number(w, t->characters.v[i].subpaths);
+        put_point(w, t->characters.v[i].at);
+    }
+}
+
 static void put_pen(list_writer *w, const item *it)
 {
     put_word(w, "width");
@@ -218,6 +248,8 @@ void plb_list_writer_item(list_writer *w, const item *it)
         put_word(w, plb_list_rules[it->even_odd]);
     else
         put_pen(w, it);
+    if (it->text && it->text->characters.n)
+        put_what_it_says(w, it->text);
     put_path(w, &it->path);
 }
 
