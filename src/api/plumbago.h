@@ -47,7 +47,8 @@ typedef struct {
 typedef void (*plb_message_function)(void *closure, int level, const char *text);
 
 /* The thread that made the call tells now and then how much is done: 0 to 0.2 while a drawing is read and planned, from
- * there to 1 while it is drawn and written. False stops the call, which then fails with PLB_ERROR_CANCELLED. */
+ * there to 1 while it is drawn and written; while another program reads, 50 times a second. False stops the call (and that
+ * program), which then fails with PLB_ERROR_CANCELLED. */
 typedef bool (*plb_progress_function)(void *closure, double done);
 
 /* A program is compiled with this version. The numbers grow with the version: #if PLB_VERSION_NUMBER >= 200. */

@@ -28,6 +28,8 @@ static bool ran_out_of_memory(const process *p)
 
 bool plb_converter_ended_by_itself(const input_source *in, const char *who, const process *p, error *err)
 {
+    if (p->end == PROCESS_STOPPED)
+        return plb_fail(err, ERROR_CANCELLED, "%s: stopped", in->name);
     if (p->end == PROCESS_OVERSTEPPED)
         return plb_fail(err, p->fault.kind, "%s: %s %s", in->name, who, p->fault.text);
     if (p->end == PROCESS_TIMED_OUT)

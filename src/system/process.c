@@ -311,7 +311,13 @@ static bool may_go_on(process *p)
         p->fault = fault;
     if (r != WATCH_FINE)
         p->end = r == WATCH_OVERSTEPPED ? PROCESS_OVERSTEPPED : PROCESS_TIMED_OUT;
-    return r == WATCH_FINE;
+    if (r != WATCH_FINE || !p->limits.may_go_on || p->watch.looked - p->asked < WATCH_TICK)
+        return r == WATCH_FINE;
+    p->asked = p->watch.looked;
+    if (p->limits.may_go_on(p->limits.closure))
+        return true;
+    p->end = PROCESS_STOPPED;
+    return false;
 }
 
 /* Waits until something can be read or written; false when the process must be ended. */

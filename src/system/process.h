@@ -24,6 +24,8 @@ typedef struct {
                             PROCESS_SCRATCH_BYTES each; NULL: it writes nowhere */
     bool single;         /* it has one thread and may start none */
     bool loose;          /* no cage, only limits; for our tests' own programs */
+    bool (*may_go_on)(void *closure); /* is asked every WATCH_TICK while we wait for the process; false ends it. NULL: nobody is */
+    void *closure;                    /* asked */
 } process_limits;
 #define PROCESS_SCRATCH_BYTES ((size_t)256 << 20)
 #define PROCESS_LIMITS ((process_limits){.seconds = 8, .memory = (size_t)1 << 30})
@@ -33,7 +35,8 @@ typedef enum {
     PROCESS_EXITED,   /* by itself; `code` is its exit status */
     PROCESS_CRASHED,  /* by signal `code` */
     PROCESS_TIMED_OUT, /* used its processor time up, or did nothing for too long */
-    PROCESS_OVERSTEPPED /* ended by us; `fault` says what it did */
+    PROCESS_OVERSTEPPED, /* ended by us; `fault` says what it did */
+    PROCESS_STOPPED      /* may_go_on said no */
 } process_end;
 
 typedef struct {
@@ -48,6 +51,7 @@ typedef struct {
     size_t message_length;
     process_limits limits;
     process_watch watch;
+    double asked;      /* by the clock: when may_go_on was called last */
     error fault;
     const char *cage; /* what holds it: plb_sandbox_name */
 } process;

@@ -6,7 +6,10 @@
 
 #include "api/plumbago.h"
 
+#include <errno.h>
 #include <math.h>
+#include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 /* A coarse page, for speed. */
@@ -371,6 +374,48 @@ static void progress_can_say_stop(void)
     plb_options_free(o);
 }
 
+/* The folder of the taps: that of the build, two above this program's. */
+static void find_taps(char folder[4096])
+{
+    ssize_t n = readlink("/proc/self/exe", folder, 4000);
+    folder[n > 0 ? n : 0] = '\0';
+    for (int i = 0; i < 3 && strrchr(folder, '/'); i++)
+        *strrchr(folder, '/') = '\0';
+}
+
+/* A program that never ends reads for us: the caller hears of it all the while, and ends it long before its limit. */
+static void a_tap_can_be_stopped(void)
+{
+    static const char endless[] = "%!PS\n{} loop\nshowpage\n", square[] = "<svg xmlns='http://www.w3.org/2000/svg'><path d='M0 0L9 9' stroke='#000'/></svg>";
+    char taps[4096];
+    plb_error e;
+    find_taps(taps);
+    plb_options *o = options_at(100);
+    CHECK(plb_options_set(o, "helper-dir", taps, &e) && plb_options_set(o, "limit-time", "60", &e));
+    plb_file *loop = plb_file_from_memory(endless, sizeof endless - 1, "loop.ps", &e), *lines = plb_file_from_memory(square, sizeof square - 1, NULL, &e);
+    told stop = {.stop_at = 12};
+    plb_options_set_progress(o, hear, &stop);
+    struct timespec begin, end;
+    clock_gettime(CLOCK_MONOTONIC, &begin);
+    CHECK(!plb_file_draw(loop, o, &e) && e.status == PLB_ERROR_CANCELLED && stop.calls == 12 && !stop.back && stop.last > 0 && stop.last < 0.1);
+    stop = (told){.stop_at = 3};
+    CHECK(!plb_file_pages(loop, o, &e) && e.status == PLB_ERROR_CANCELLED && stop.calls == 3);
+    clock_gettime(CLOCK_MONOTONIC, &end);
+    CHECK(end.tv_sec - begin.tv_sec < 30);
+    CHECK(waitpid(-1, NULL, WNOHANG) < 0 && errno == ECHILD);
+    /* At the first question tap-plain is ended, and librsvg is not tried after it. */
+    stop = (told){.stop_at = 2};
+    CHECK(!plb_file_draw(lines, o, &e) && e.status == PLB_ERROR_CANCELLED && stop.calls == 2);
+    told all = {0};
+    plb_options_set_progress(o, hear, &all);
+    plb_drawing *d = plb_file_draw(lines, o, &e);
+    CHECK(d && !all.back && all.calls >= 3);
+    plb_drawing_free(d);
+    plb_file_free(loop);
+    plb_file_free(lines);
+    plb_options_free(o);
+}
+
 int main(void)
 {
     RUN(surfaces_that_cannot_be_drawn_on);
@@ -386,5 +431,6 @@ int main(void)
     RUN(many_lines_in_one_call);
     RUN(profiles_come_from_bytes);
     RUN(progress_can_say_stop);
+    RUN(a_tap_can_be_stopped);
     CHECK_EXIT;
 }

@@ -76,24 +76,45 @@ void plb_file_free(plb_file *f)
     plb_free(f);
 }
 
-/* Makes the input source of the page that the options name; *spent is 0 and lives as long as the source. */
-static input_source source_of(const plb_file *f, const plb_options *o, const api_adaptor *adaptor, double *spent)
+/* What lives as long as a source. */
+typedef struct {
+    const plb_options *o;
+    api_adaptor adaptor;
+    double spent;        /* processor time of the programs that read */
+    unsigned long asked; /* how often the caller was */
+} reading;
+
+/* Half of PROGRESS_READ: after how many ticks that is told. Nobody knows how long a program will read; two seconds is much. */
+#define TICKS_OF_HALF 100.0
+
+/* Tells the caller, while a program reads, that it does; false: the caller says stop. */
+static bool may_go_on(void *closure)
 {
+    reading *r = closure;
+    double asked = (double)++r->asked;
+    error stopped = {ERROR_NONE, ""};
+    return plb_api_report(r->o, PROGRESS_READ * asked / (asked + TICKS_OF_HALF), &stopped);
+}
+
+/* Makes the input source of the page that the options name; `r` lives as long as the source. */
+static input_source source_of(const plb_file *f, const plb_options *o, reading *r)
+{
+    *r = (reading){.o = o, .adaptor = {o->message, o->message_closure}};
     return (input_source){.name = f->name, .data = f->data, .size = f->size, .helper_dir = o->helper_dir,
-                          .say = plb_api_messenger(adaptor), .page = (unsigned)o->page,
-                          .limits = {.seconds = o->limit_time, .spent = spent, .memory = (size_t)o->limit_memory << 20}};
+                          .say = plb_api_messenger(&r->adaptor), .page = (unsigned)o->page,
+                          .limits = {.seconds = o->limit_time, .spent = &r->spent, .memory = (size_t)o->limit_memory << 20,
+                                     .may_go_on = may_go_on, .closure = r}};
 }
 
 unsigned plb_file_pages(const plb_file *f, const plb_options *given, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
     unsigned pages = 0;
-    double spent = 0;
+    reading r;
     plb_options *own;
     const plb_options *o = plb_api_options_checked(given, &own, &err);
     if (o) {
-        api_adaptor adaptor = {o->message, o->message_closure};
-        input_source in = source_of(f, o, &adaptor, &spent);
+        input_source in = source_of(f, o, &r);
         pages = plb_input_count_pages(&in, &pages, &err) ? pages : 0;
     }
     plb_options_free(own);
@@ -104,13 +125,12 @@ unsigned plb_file_pages(const plb_file *f, const plb_options *given, plb_error *
 plb_drawing *plb_file_draw(const plb_file *f, const plb_options *given, plb_error *failed)
 {
     error err = {ERROR_NONE, ""};
-    double spent = 0;
+    reading r;
     plb_drawing *d = NULL;
     plb_options *own;
     const plb_options *o = plb_api_options_checked(given, &own, &err);
     if (o) {
-        api_adaptor adaptor = {o->message, o->message_closure};
-        input_source in = source_of(f, o, &adaptor, &spent);
+        input_source in = source_of(f, o, &r);
         d = plb_api_draw(&in, o, &err);
     }
     plb_options_free(own);

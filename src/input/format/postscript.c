@@ -182,6 +182,8 @@ bool plb_count_postscript_pages(const input_source *in, unsigned *pages, error *
         return o == DRAWN;
     if (!read_handover(in, &t.process, &rest, err))
         return false;
-    return (there && plb_count_pages_by_ghostscript(&rest.program, &rest.page, pages, &why)) ||
+    if (there && plb_count_pages_by_ghostscript(&rest.program, &rest.page, pages, &why))
+        return true;
+    return why.kind == ERROR_CANCELLED ? plb_fail(err, why.kind, "%s", why.text) :
            fail_with(in, rest.is_unknown ? ERROR_UNSUPPORTED : ERROR_SYNTAX, rest.reason, rest.is_unknown && !there ? WOULD_HELP : "", err);
 }

@@ -34,10 +34,11 @@ static bool looks_plain(const input_source *in)
     return !*word;
 }
 
-/* Where the time of tap-plain was not enough, librsvg's would not be, nor where we could not hold what it wrote. */
+/* Where the time of tap-plain was not enough, librsvg's would not be, nor where we could not hold what it wrote. Who said stop
+ * waits for neither. */
 static bool is_hopeless(const tap *t, const error *why)
 {
-    if (t->process.end == PROCESS_TIMED_OUT)
+    if (t->process.end == PROCESS_TIMED_OUT || t->process.end == PROCESS_STOPPED)
         return true;
     bool refused = t->process.end == PROCESS_EXITED && t->process.code != TAP_DONE;
     return !refused && (why->kind == ERROR_LIMIT || why->kind == ERROR_MEMORY);
