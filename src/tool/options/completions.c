@@ -55,7 +55,9 @@ static void print_zsh_argument(const option *o)
     printf(":");
     print_zsh_text(o->argument);
     printf(":");
-    if (o->words)
+    if (o->words && takes_files(o))
+        printf("{compadd %s; _files}", o->words);
+    else if (o->words)
         printf("(%s)", o->words);
     else if (takes_files(o))
         printf("_files");
