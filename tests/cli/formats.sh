@@ -74,6 +74,14 @@ draws "a blunt point in SVG" --point blunt -o blunt.svg lines.svg
 is "its lines are all as broad as the layer's" "$(grep -c '<path .*stroke-width' blunt.svg)" 0
 grep -o '<path .*stroke-width="[0-9.]*"' x.svg | sed 's/.*width="//; s/"$//' | sort -n >widths
 is "a sharp point's are finer, and differ" "$(awk 'NR == 1 { low = $1 } { high = $1 } END { print (low >= 0.24 && high <= 0.4 && high > low) }' widths)" 1
+if command -v inkscape >/dev/null; then
+    # It lists the document, the layer and each path with its box, px of 1/96 inch.
+    HOME=$TMP inkscape --query-all x.svg >objects 2>/dev/null
+    is "Inkscape reads each path" "$(wc -l <objects)" $(($(grep -c '<path ' x.svg) + 2))
+    report "... at its place on the page" "$(awk -F, '!($2 > 0 && $3 > 0 && $2 + $4 < 120 / 25.4 * 96 && $3 + $5 < 100 / 25.4 * 96)' objects)"
+else
+    skip "Inkscape reads each path" "no inkscape here"
+fi
 for way in "--arm hand" "--arm jerk" "--model hla" "--arm spring" "--arm lognormal --hand left" "--arm torque" "--squiggle 0"; do
     # shellcheck disable=SC2086
     plumbago $way --dpi 600 -o x.png lines.svg
