@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# What the completions complete, asked of the shells themselves. Lines "what is typed|what it becomes"; a shell that is not
+# The shells themselves are asked what the completions complete. Lines "what is typed|what it becomes"; a shell that is not
 # here is skipped.
 . "$ROOT/tests/check.sh"
 for shell in bash zsh fish; do "$PLUMBAGO" --completions $shell >plumbago.$shell; done

@@ -76,7 +76,7 @@ void plb_file_free(plb_file *f)
     plb_free(f);
 }
 
-/* What lives as long as a source. */
+/* A reading lives as long as its source. */
 typedef struct {
     const plb_options *o;
     api_adaptor adaptor;
