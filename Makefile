@@ -75,7 +75,7 @@ CXX     = g++
 SOVERSION = 0
 shared = libplumbago.so.$(VERSION)
 whole_release = -Wl,-z,defs
-programs = $(O)/plumbago $(O)/plumbago-profile $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-dxf
+programs = $(O)/plumbago $(O)/plumbago-profile $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-model $(O)/tap-dxf
 fuzzers  = $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 tests_bin = $(c_tests:tests/%.c=$(O)/tests/%) $(c_tools:tests/%.c=$(O)/tests/%) $(fuzzers:%=$(O)/tests/fuzz/fuzz_%)
 
@@ -146,7 +146,7 @@ script_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/cairoscript*.c))
 rewrite_obj = $(patsubst src/%.c,$(O)/%.o,$(call below,src/tap/svg/rewrite,*.c)) $(call tap_common,tap_colour)
 svg_obj   = $(O)/tap/svg/tap_svg.o $(O)/tap/svg/missing_glyphs.o $(script_obj) $(rewrite_obj) $(call tap_common,tap_memory tap_omissions tap_page) $(tap_base)
 plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain/plain_*.c)) $(call tap_common,tap_area tap_colour tap_page)
-tap_obj   = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tap/ps/%,$(call below,src/tap,*.c)))
+tap_obj   = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tap/ps/% src/tap/model/%,$(call below,src/tap,*.c)))
 $(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/flags
 	$(say) CC $<
 	@mkdir -p $(@D)
@@ -169,6 +169,12 @@ $(O)/tap-ps: $(O)/tap/ps/tap_ps.o $(ps_obj) $(ps_base)
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_ALL) $(filter %.o,$^) -lm -o $@
 
+# So is this one.
+model_obj = $(patsubst src/%.c,$(O)/%.o,$(filter-out %/tap_model.c,$(call below,src/tap/model,*.c)))
+$(O)/tap-model: $(O)/tap/model/tap_model.o $(model_obj) $(ps_base)
+	$(say) LINK $@
+	$(Q)$(CC) $(LDFLAGS_ALL) $(filter %.o,$^) -lm -o $@
+
 # The other tap is a script around the library ezdxf.
 $(O)/tap-dxf: src/tap/dxf/tap_dxf.py
 	@mkdir -p $(@D)
@@ -185,6 +191,7 @@ LIBS_fuzz_plain_svg = $(shell pkg-config --libs $(packages_plain))
 $(O)/tests/fuzz/fuzz_plain_svg $(O)/fuzz_plain_svg: $(plain_obj)
 $(O)/tests/fuzz/fuzz_cairoscript $(O)/fuzz_cairoscript $(O)/tests/unit/test_cairoscript: $(script_obj) $(call tap_common,scan)
 $(O)/tests/fuzz/fuzz_postscript $(O)/fuzz_postscript $(O)/tests/unit/test_postscript $(O)/tests/stage/postscript $(O)/tests/failing/test_allocations: $(ps_obj)
+$(O)/tests/fuzz/fuzz_model $(O)/fuzz_model $(O)/tests/unit/test_model: $(model_obj)
 $(O)/tests/unit/test_scan: $(call tap_common,scan)
 $(O)/tests/fuzz/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/replay.c tests/fuzz/fuzz.h $(tool_parts) $(O)/libplumbago.a
 	$(say) LINK $@
@@ -306,7 +313,7 @@ dest = $(DESTDIR)$(PREFIX)
 install: all
 	install -d "$(dest)/bin" "$(dest)/libexec/plumbago" "$(dest)/include" "$(dest)/share/plumbago/profiles"
 	install $(O)/plumbago $(O)/plumbago-profile "$(dest)/bin"
-	install $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-dxf "$(dest)/libexec/plumbago"
+	install $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-model $(O)/tap-dxf "$(dest)/libexec/plumbago"
 	install -m 644 src/api/plumbago.h "$(dest)/include"
 	install -d "$(DESTDIR)$(LIBDIR)/pkgconfig"
 	install -m 644 $(O)/libplumbago.a $(O)/$(shared) "$(DESTDIR)$(LIBDIR)"
@@ -364,4 +371,4 @@ help:
 	@echo 'make clean      removes build/'
 	@echo 'BUILD=release|debug|asan|ubsan|tsan|cover|failing|fuzz   CC=gcc|clang   V=1: show the commands'
 
--include $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(ps_obj:.o=.d) $(O)/tap/ps/tap_ps.d $(wildcard $(O)/tool/*.d $(O)/tool/*/*.d $(O)/*.d $(O)/tests/*/*.d)
+-include $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(ps_obj:.o=.d) $(model_obj:.o=.d) $(O)/tap/ps/tap_ps.d $(O)/tap/model/tap_model.d $(wildcard $(O)/tool/*.d $(O)/tool/*/*.d $(O)/*.d $(O)/tests/*/*.d)

@@ -107,7 +107,7 @@ case $BUILD_DIR in
         shift
         folder=build/release
         for word; do case $word in BUILD=*) folder=build/${word#BUILD=} ;; SUFFIX=*) folder=$folder${word#SUFFIX=} ;; esac; done
-        if ! make -s -C "$ROOT" -j2 "$@" "$folder/plumbago" "$folder/tap-svg" "$folder/tap-plain" "$folder/tap-ps" "$folder/tap-dxf" >"$TMP/make" 2>&1; then
+        if ! make -s -C "$ROOT" -j2 "$@" "$folder/plumbago" "$folder/tap-svg" "$folder/tap-plain" "$folder/tap-ps" "$folder/tap-model" "$folder/tap-dxf" >"$TMP/make" 2>&1; then
             fail "$name" "it does not build: $(grep -m 1 -E 'error|Error' "$TMP/make")"
         elif [ -n "${LONG:-}" ]; then
             matrix "$name" "$ROOT/$folder/plumbago"

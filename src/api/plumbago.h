@@ -150,7 +150,8 @@ typedef enum {
     PLB_SETTING_TEXT,
     PLB_SETTING_PENCIL, /* a grade or a file */
     PLB_SETTING_PAGE,   /* a choice, perhaps with -portrait or -landscape */
-    PLB_SETTING_PIXELS  /* "1200" or "800x600" */
+    PLB_SETTING_PIXELS, /* "1200" or "800x600" */
+    PLB_SETTING_ANGLES  /* degrees: a word, "30,20", or a word and an angle, "perspective=40" */
 } plb_setting_kind;
 
 /* These flags say in which calls a setting counts. A drawing's strokes are planned when it is loaded: what counts then
@@ -173,7 +174,7 @@ typedef struct {
 } plb_setting;
 /* Gives the settings in the order of their groups; NULL past the last. */
 PLB_API const plb_setting *plb_setting_at(size_t index);
-/* Gives the words that a choice takes, and a page's names; NULL past the last. */
+/* Gives the words that a choice takes, a page's names and those for angles; NULL past the last. */
 PLB_API const char *plb_setting_word(const plb_setting *setting, size_t index);
 /* Gives the number of letters of `word`, of n bytes, that must be changed, left out, added or swapped with their neighbour to
  * make `name`; PLB_NAME_FAR where so many must that nobody meant it. Command lines propose the nearest name by this. */

@@ -5,6 +5,7 @@
 #include "input/input.h"
 
 #include "input/format/foreign.h"
+#include "input/format/model.h"
 
 #include <string.h>
 
@@ -93,6 +94,7 @@ static const input_format formats[] = {
     {"PDF", is_pdf, false, plb_read_pdf, plb_count_pdf_pages},
     {"SVG", is_svg, true, plb_read_svg, NULL},
     {"DXF", is_dxf, false, plb_read_dxf, NULL},
+    {"solid model", plb_is_model, false, plb_read_model, NULL},
 };
 
 static const input_format *recognise(const char *data, size_t size)
@@ -123,7 +125,7 @@ static const input_format *find_format(const input_source *in, error *err)
     else if (foreign)
         plb_fail(err, ERROR_UNSUPPORTED, "%s: this is %s: %s", in->name, foreign->what, foreign->help);
     else if (!f)
-        plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG, PDF, PostScript, DXF or plumbago-list)", in->name);
+        plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG, PDF, PostScript, DXF, OBJ, STL, PLY, OFF or plumbago-list)", in->name);
     else if (is_packed_drawing(in, err))
         return NULL;
     return f;

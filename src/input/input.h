@@ -11,6 +11,21 @@
 
 #include <stddef.h>
 
+/* A solid model is seen, and drawn, so; other formats take no notice. */
+typedef enum { MODEL_UP_AUTO, MODEL_UP_X, MODEL_UP_Y, MODEL_UP_Z } model_up;
+typedef enum { MODEL_HIDDEN_AUTO, MODEL_HIDDEN_NONE, MODEL_HIDDEN_DASHED, MODEL_HIDDEN_FAINT } model_hidden;
+typedef enum { MODEL_SHEET_NONE, MODEL_SHEET_FIRST_ANGLE, MODEL_SHEET_THIRD_ANGLE } model_sheet;
+#define MODEL_DARK 0 /* the light's word for none */
+typedef struct {
+    bool has_view, has_light, is_dark; /* else what the tap does by itself */
+    double view[2], light[2];          /* degrees: azimuth and elevation */
+    double perspective;                /* degrees in view; 0: parallel */
+    double crease;                     /* degrees; 0: what the tap does by itself */
+    model_up up;
+    model_hidden hidden;
+    model_sheet sheet;
+} model_look;
+
 typedef struct {
     const char *name;       /* the file's name as messages show it */
     const char *data;       /* all its bytes (may hold NULs); lives as long as the call */
@@ -19,6 +34,7 @@ typedef struct {
     log_sink say;          /* warnings and details */
     unsigned page;          /* which page of several, from 1 */
     process_limits limits;  /* of each foreign program */
+    model_look look;
 } input_source;
 
 /* Recognises the format by content and reads it. On success `list` (initialised by the caller) holds items and a
@@ -37,6 +53,7 @@ bool plb_input_load(const char *file, char **data, size_t *size, error *err);
 bool plb_read_svg(const input_source *in, display_list *list, error *err);
 bool plb_read_postscript(const input_source *in, display_list *list, error *err);
 bool plb_read_dxf(const input_source *in, display_list *list, error *err);
+bool plb_read_model(const input_source *in, display_list *list, error *err);
 bool plb_read_list(const input_source *in, display_list *list, error *err);
 bool plb_read_pdf(const input_source *in, display_list *list, error *err);
 

@@ -8,7 +8,7 @@
 #include "input/input.h"
 #include "list/text/tap_status.h"
 
-#define TAP_MAX_ARGUMENTS 8
+#define TAP_MAX_ARGUMENTS 12
 
 typedef struct {
     const char *who;                     /* does the work, as messages name it: "librsvg" */

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Limits a PostScript program in the fuzzers' build: many short runs find more than few long ones. Each limit can still
- * be met, by a program of a few lines.
+ * Limits a PostScript program, and the raster of a solid model's tones, in the fuzzers' build: many short runs find more than few long
+ * ones. Each limit of a program can still be met, by one of a few lines.
  */
+#define MODEL_MAX_CELLS 2e4
 #define PS_MAX_STEPS 20000u
 #define PS_MAX_STEPS_AFTER 2000u
 #define PS_MAX_MEMORY ((size_t)4 << 20)

@@ -3,7 +3,7 @@
 # the stack, guard the stack and check the bounds of what the C library copies.
 . "$ROOT/tests/check.sh"
 case $BUILD_DIR in */release*) ;; *) skip "hardening" "not a release build" && exit ;; esac
-for program in plumbago plumbago-profile tap-svg tap-plain tap-ps; do
+for program in plumbago plumbago-profile tap-svg tap-plain tap-ps tap-model; do
     file=$BUILD_DIR/$program
     has() { if readelf $3 "$file" 2>/dev/null | grep -qE "$2"; then ok "$program: $1"; else fail "$program: $1" "readelf $3 shows no $2"; fi; }
     has "position-independent" 'Type: *DYN' -hW

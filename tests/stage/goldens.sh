@@ -41,3 +41,6 @@ done
 for program in program paths state; do
     golden $program list "$ROOT/tests/image/$program.eps" "$ROOT/tests/stage/$program.list.txt" 1e-9
 done
+for model in cube.obj tube.stl pyramid.ply colours.off; do
+    golden $model list "$ROOT/tests/stage/$model" "$ROOT/tests/stage/$model.list.txt" .0005
+done

@@ -127,6 +127,7 @@ static const char *another(const plb_setting *s)
     case PLB_SETTING_PENCIL: return "6B";
     case PLB_SETTING_PAGE: return "A5";
     case PLB_SETTING_PIXELS: return "200x150";
+    case PLB_SETTING_ANGLES: return strchr(s->argument, ',') ? "40,30" : "perspective=55";
     case PLB_SETTING_LENGTH: return "9mm";
     case PLB_SETTING_WHOLE: return "2";
     case PLB_SETTING_SEED: return "2";

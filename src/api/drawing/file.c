@@ -76,6 +76,13 @@ void plb_file_free(plb_file *f)
     plb_free(f);
 }
 
+static model_look look_of(const plb_options *o)
+{
+    return (model_look){.has_view = o->view.word != ANGLES_AUTO, .view = {o->view.a, o->view.b}, .perspective = o->projection.a,
+                        .has_light = o->light.word != ANGLES_AUTO, .is_dark = o->light.word == MODEL_DARK, .light = {o->light.a, o->light.b},
+                        .crease = o->crease, .up = (model_up)o->up, .hidden = (model_hidden)o->hidden, .sheet = (model_sheet)o->sheet};
+}
+
 /* A reading lives as long as its source. */
 typedef struct {
     const plb_options *o;
@@ -101,7 +108,7 @@ static input_source source_of(const plb_file *f, const plb_options *o, reading *
 {
     *r = (reading){.o = o, .adaptor = {o->message, o->message_closure}};
     return (input_source){.name = f->name, .data = f->data, .size = f->size, .helper_dir = o->helper_dir,
-                          .say = plb_api_messenger(&r->adaptor), .page = (unsigned)o->page,
+                          .say = plb_api_messenger(&r->adaptor), .page = (unsigned)o->page, .look = look_of(o),
                           .limits = {.seconds = o->limit_time, .spent = &r->spent, .memory = (size_t)o->limit_memory << 20,
                                      .may_go_on = may_go_on, .closure = r}};
 }

@@ -28,6 +28,14 @@ typedef struct {
     int width, height;
 } picture_pixels;
 
+/* Angles, degrees, by a word or by numbers. */
+#define ANGLES_GIVEN (-2)
+#define ANGLES_AUTO (-1)
+typedef struct {
+    int word;      /* the value of the row's word, ANGLES_GIVEN or ANGLES_AUTO */
+    double a, b;
+} angle_choice;
+
 /* The options hold all values, each in a field that a row of the table names. Lengths are mm. */
 struct plb_options {
     plb_profile *profile; /* a reference of its own; never NULL */
@@ -41,6 +49,9 @@ struct plb_options {
     int text;             /* text_style */
     int background;       /* page_background */
     int point;            /* pencil_point */
+    int up, hidden, sheet; /* of solid models: model_up, model_hidden, model_sheet (input.h) */
+    angle_choice view, projection, light; /* azimuth and elevation; a: how much is in view, 0: parallel; word MODEL_DARK: no light */
+    double crease;        /* degrees */
     double pressure;
     double squiggle;      /* negative: the arm's own */
     double dpi;
@@ -61,7 +72,7 @@ struct plb_options {
     void *progress_closure;
 };
 
-/* A word that a setting takes has a meaning: a value of an enumeration; of a page, its sides, mm. */
+/* A word that a setting takes has a meaning: a value of an enumeration; of a page, its sides, mm; of angles, these, degrees. */
 typedef struct {
     const char *name;
     int value;

@@ -4,6 +4,7 @@
  */
 #include "api/settings/settings.h"
 
+#include "input/input.h"
 #include "plan/plan.h"
 #include "stroke/stroke.h"
 #include "surface/page.h"
@@ -94,6 +95,22 @@ static const setting table[] = {
      FIELD(text), WORDS(WORD("hand", TEXT_HAND), WORD("outline", TEXT_OUTLINE), WORD("none", TEXT_NONE))},
     {{"colour", 0, "What is drawn", PLB_SETTING_FLAG, NULL, 0, 0, "", "off", "each line with a pencil of its own colour, not all graphite (also --color)", LOAD | DRAW},
      FIELD(colour)},
+
+    {{"view", 0, "Solid models", PLB_SETTING_ANGLES, "AZ,EL", -360, 360, "degrees", "auto", "seen from front, back, left, right, top, bottom, iso, or an angle to the right and above; auto: 35,22", LOAD},
+     FIELD(view),
+     WORDS({"front", 0, 0, 0}, {"back", 1, 180, 0}, {"left", 2, -90, 0}, {"right", 3, 90, 0}, {"top", 4, 0, 90}, {"bottom", 5, 0, -90}, {"iso", 6, 45, 35.264389682754654})},
+    {{"projection", 0, "Solid models", PLB_SETTING_ANGLES, "parallel|perspective[=DEGREES]", 1, 140, "degrees", "parallel", "as engineers draw, or as one sees [perspective: 40]", LOAD},
+     FIELD(projection), WORDS({"parallel", 0, 0, 0}, {"perspective", 1, 40, 0})},
+    {{"up", 0, "Solid models", PLB_SETTING_CHOICE, NULL, 0, 0, "", "auto", "which axis of the file points upwards; auto: y, of STL z", LOAD},
+     FIELD(up), WORDS(WORD("x", MODEL_UP_X), WORD("y", MODEL_UP_Y), WORD("z", MODEL_UP_Z)), .automatic = MODEL_UP_AUTO},
+    {{"crease", 0, "Solid models", PLB_SETTING_NUMBER, "DEGREES", 1, 180, "degrees", "30", "sharper turns of a surface are lines", LOAD},
+     FIELD(crease)},
+    {{"hidden", 0, "Solid models", PLB_SETTING_CHOICE, NULL, 0, 0, "", "auto", "what becomes of hidden lines; auto: none, or dashed on a sheet", LOAD},
+     FIELD(hidden), WORDS(WORD("none", MODEL_HIDDEN_NONE), WORD("dashed", MODEL_HIDDEN_DASHED), WORD("faint", MODEL_HIDDEN_FAINT)), .automatic = MODEL_HIDDEN_AUTO},
+    {{"light", 0, "Solid models", PLB_SETTING_ANGLES, "AZ,EL|none", -360, 360, "degrees", "auto", "where it comes from, to the right of the eye and above; none: lines alone; auto: -40,45", LOAD},
+     FIELD(light), WORDS({"none", MODEL_DARK, 0, 0})},
+    {{"sheet", 0, "Solid models", PLB_SETTING_CHOICE, NULL, 0, 0, "", "none", "four views on a sheet, as ISO 128 places them", LOAD},
+     FIELD(sheet), WORDS(WORD("none", MODEL_SHEET_NONE), WORD("first-angle", MODEL_SHEET_FIRST_ANGLE), WORD("third-angle", MODEL_SHEET_THIRD_ANGLE))},
 
     {{"threads", 0, "Work", PLB_SETTING_WHOLE, "N", 1, 64, "threads", "auto", "at most so many work; auto: as many as processors", LOAD | DRAW | FREE},
      FIELD(threads)},

@@ -139,6 +139,31 @@ static bool store_pixels(const setting *s, void *field, const char *text)
     return true;
 }
 
+/* Reads the two angles of "30,20". */
+static bool read_angles(const char *text, angle_choice *v)
+{
+    const char *next;
+    return plb_parse_number(text, text + strlen(text), &v->a, &next) && *next == ',' && read_number(next + 1, &v->b) && isfinite(v->a);
+}
+
+/* Reads a word of the row, perhaps with an angle of its own, or two angles where the row's argument says so. */
+static bool store_angles(const setting *s, void *field, const char *text)
+{
+    setting_word word;
+    angle_choice v = {ANGLES_GIVEN, 0, 0};
+    for (size_t i = 0; (word = plb_setting_word_at(s, i)).name; i++) {
+        size_t n = strlen(word.name);
+        if (!strcmp(text, word.name))
+            return *(angle_choice *)field = (angle_choice){word.value, word.width, word.height}, true;
+        if (!strncmp(text, word.name, n) && text[n] == '=' && word.width > 0 && strchr(s->shown.argument, '='))
+            return read_number(text + n + 1, &v.a) && is_in_range(&s->shown, v.a) && (*(angle_choice *)field = (angle_choice){word.value, v.a, 0}, true);
+    }
+    if (!strchr(s->shown.argument, ',') || !read_angles(text, &v) || !is_in_range(&s->shown, v.a) || !(fabs(v.b) <= 90))
+        return false;
+    *(angle_choice *)field = v;
+    return true;
+}
+
 static bool store_flag(const setting *s, void *field, const char *text)
 {
     (void)s;
@@ -198,6 +223,10 @@ static bool refuse(const setting *s, const char *value, error *err)
     case PLB_SETTING_CHOICE: list_words(s, takes, sizeof takes); break;
     case PLB_SETTING_PAGE: list_words(s, takes, sizeof takes); also = ", perhaps with -portrait or -landscape, or auto"; break;
     case PLB_SETTING_PIXELS: snprintf(takes, sizeof takes, "%s to %s, as 1200 or 800x600", least, most); break;
+    case PLB_SETTING_ANGLES:
+        list_words(s, takes, sizeof takes);
+        also = strchr(row->argument, ',') ? ", or degrees, as -30,20, or auto" : ", perhaps with its degrees, as perspective=40";
+        break;
     case PLB_SETTING_FLAG: snprintf(takes, sizeof takes, "on or off"); break;
     case PLB_SETTING_SEED: snprintf(takes, sizeof takes, "a whole number"); break;
     case PLB_SETTING_LENGTH: snprintf(takes, sizeof takes, "%s to %s mm, written as 84mm, 8.4cm, 3.3in, 240pt or 320px", least, most); break;
@@ -214,6 +243,8 @@ static void store_automatic(const setting *s, void *field)
         *(page_choice *)field = (page_choice){0};
     else if (s->shown.kind == PLB_SETTING_PIXELS)
         *(picture_pixels *)field = (picture_pixels){0};
+    else if (s->shown.kind == PLB_SETTING_ANGLES)
+        *(angle_choice *)field = (angle_choice){ANGLES_AUTO, 0, 0};
     else if (s->shown.kind == PLB_SETTING_WHOLE || s->shown.kind == PLB_SETTING_CHOICE)
         *(int *)field = (int)s->automatic;
     else
@@ -237,6 +268,7 @@ bool plb_setting_store(const setting *s, plb_options *o, const char *value, erro
     case PLB_SETTING_CHOICE: ok = store_choice(s, field, value); break;
     case PLB_SETTING_PAGE: ok = store_page(s, field, value); break;
     case PLB_SETTING_PIXELS: ok = store_pixels(s, field, value); break;
+    case PLB_SETTING_ANGLES: ok = store_angles(s, field, value); break;
     case PLB_SETTING_FLAG: ok = store_flag(s, field, value); break;
     case PLB_SETTING_TEXT: return store_text(s, o, value, err);
     case PLB_SETTING_PENCIL: return store_pencil(o, value, err);
@@ -254,6 +286,8 @@ static bool is_automatic(const setting *s, const void *field)
         return ((const page_choice *)field)->width <= 0;
     if (s->shown.kind == PLB_SETTING_PIXELS)
         return ((const picture_pixels *)field)->width <= 0;
+    if (s->shown.kind == PLB_SETTING_ANGLES)
+        return ((const angle_choice *)field)->word == ANGLES_AUTO;
     bool whole = s->shown.kind == PLB_SETTING_WHOLE || s->shown.kind == PLB_SETTING_CHOICE;
     return whole ? *(const int *)field == (int)s->automatic : *(const double *)field == s->automatic;
 }
@@ -282,6 +316,22 @@ static void print_pixels(const picture_pixels *p, char *text, size_t size)
         snprintf(text, size, "%d", p->width);
 }
 
+static void print_angles(const setting *s, const angle_choice *v, char *text, size_t size)
+{
+    char a[48], b[48];
+    size_t i = 0;
+    while (v->word >= 0 && plb_setting_word_at(s, i).value != v->word)
+        i++;
+    setting_word word = plb_setting_word_at(s, i);
+    plb_format_number(a, v->a, 9);
+    if (v->word < 0)
+        snprintf(text, size, "%s,%s", a, plb_format_number(b, v->b, 9));
+    else if (v->a == word.width)
+        snprintf(text, size, "%s", word.name);
+    else
+        snprintf(text, size, "%s=%s", word.name, a);
+}
+
 bool plb_setting_print(const setting *s, const plb_options *o, char *text, size_t size)
 {
     const void *field = value_of(s, o);
@@ -299,6 +349,7 @@ bool plb_setting_print(const setting *s, const plb_options *o, char *text, size_
         case PLB_SETTING_CHOICE: shown = word_of(s, *(const int *)field); break;
         case PLB_SETTING_PAGE: print_page(s, field, made, sizeof made); break;
         case PLB_SETTING_PIXELS: print_pixels(field, made, sizeof made); break;
+        case PLB_SETTING_ANGLES: print_angles(s, field, made, sizeof made); break;
         case PLB_SETTING_FLAG: shown = *(const bool *)field ? "on" : "off"; break;
         case PLB_SETTING_TEXT: shown = *(char *const *)field ? *(char *const *)field : ""; break;
         case PLB_SETTING_PENCIL: shown = plb_profile_name(o->profile); break;
@@ -333,6 +384,10 @@ bool plb_setting_is_equal(const setting *s, const plb_options *a, const plb_opti
     case PLB_SETTING_PIXELS: { /* of which the shape alone counts for the strokes */
         const picture_pixels *p = x, *q = y;
         return p->height == q->height && (p->width == q->width || p->height == 0);
+    }
+    case PLB_SETTING_ANGLES: {
+        const angle_choice *p = x, *q = y;
+        return p->word == q->word && p->a == q->a && p->b == q->b;
     }
     case PLB_SETTING_FLAG: return *(const bool *)x == *(const bool *)y;
     case PLB_SETTING_TEXT: {

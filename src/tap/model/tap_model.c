@@ -1,0 +1,152 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * tap-model: a solid model on descriptor 0 becomes a display list on descriptor 1.
+ *
+ *     tap-model FORMAT [--view=AZ,EL] ... <model >list
+ *
+ * Exit statuses are those of list/text/tap_status.h, and 125: no memory.
+ */
+#include "list/text/tap_status.h"
+#include "base/number/number.h"
+#include "tap/common/tap_memory.h"
+#include "tap/model/model.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#define PART_BYTES ((size_t)1 << 18)
+#define MAX_BYTES ((size_t)256 << 20)
+
+static void __attribute__((noreturn)) quit(int status, const char *text)
+{
+    fprintf(stderr, "%s\n", text);
+    fflush(stderr);
+    _exit(status);
+}
+
+/* Reads the whole file into a block that lives as long as the process. */
+static char *read_file(size_t *size)
+{
+    char *all = NULL;
+    size_t capacity = 0;
+    for (*size = 0;;) {
+        if (capacity - *size < PART_BYTES) {
+            capacity = capacity ? capacity * 2 : 2 * PART_BYTES;
+            char *more = *size > MAX_BYTES ? NULL : realloc(all, capacity);
+            if (!more)
+                quit(TAP_LIMIT, "the file is too large");
+            all = more;
+        }
+        ssize_t n = read(STDIN_FILENO, all + *size, PART_BYTES);
+        if (n < 0 && errno == EINTR)
+            continue;
+        if (n <= 0)
+            return all;
+        *size += (size_t)n;
+    }
+}
+
+static bool put(void *closure, const char *data, size_t n)
+{
+    (void)closure;
+    for (size_t done = 0; done < n;) {
+        ssize_t written = write(STDOUT_FILENO, data + done, n - done);
+        if (written < 0 && errno != EINTR)
+            return false; /* the reader went away: nobody is left to tell */
+        done += written < 0 ? 0 : (size_t)written;
+    }
+    return true;
+}
+
+static int status_of(error_kind kind)
+{
+    return kind == ERROR_SYNTAX ? TAP_MALFORMED : kind == ERROR_MEMORY ? TAP_EXIT_MEMORY : kind == ERROR_LIMIT ? TAP_LIMIT : TAP_REFUSED;
+}
+
+/* ---- the command line ---- */
+
+static void __attribute__((noreturn)) refuse_usage(void)
+{
+    quit(TAP_USAGE, "usage: tap-model obj|stl|ply|off [--view=AZ,EL] [--perspective=DEGREES] [--up=x|y|z] [--crease=DEGREES] [--hidden=none|dashed|faint] "
+                    "[--light=AZ,EL|none] [--sheet=first-angle|third-angle] <model >list");
+}
+
+/* Reads so many numbers with commas between, and nothing after them. */
+static void read_numbers(const char *text, double *v, int n)
+{
+    const char *end = text + strlen(text);
+    for (int i = 0; i < n; i++)
+        if (!plb_parse_number(text, end, &v[i], &text) || !isfinite(v[i]) || *text++ != (i + 1 < n ? ',' : '\0'))
+            refuse_usage();
+}
+
+/* Gives the index of the word among n. */
+static int read_word(const char *text, const char *const words[], int n)
+{
+    for (int i = 0; i < n; i++)
+        if (!strcmp(text, words[i]))
+            return i;
+    refuse_usage();
+}
+
+/* Gives what follows "NAME=". */
+static const char *value_of(const char *argument, const char *name)
+{
+    size_t n = strlen(name);
+    return !strncmp(argument, name, n) && argument[n] == '=' ? argument + n + 1 : NULL;
+}
+
+static void read_option(const char *argument, model_settings *s)
+{
+    static const char *const axes[] = {"x", "y", "z"}, *const styles[] = {"auto", "none", "dashed", "faint"}, *const sheets[] = {"none", "first-angle", "third-angle"};
+    const char *value;
+    double v[2];
+    if ((value = value_of(argument, "--view"))) {
+        read_numbers(value, v, 2);
+        s->from.azimuth = v[0];
+        s->from.elevation = v[1];
+    } else if ((value = value_of(argument, "--perspective"))) {
+        read_numbers(value, &s->from.perspective, 1);
+    } else if ((value = value_of(argument, "--up"))) {
+        s->up = (up_axis)read_word(value, axes, 3);
+        s->is_upright_by_format = false;
+    } else if ((value = value_of(argument, "--crease"))) {
+        read_numbers(value, &s->crease, 1);
+    } else if ((value = value_of(argument, "--hidden"))) {
+        s->hidden = (hidden_style)read_word(value, styles, 4);
+    } else if ((value = value_of(argument, "--light"))) {
+        s->light.is_on = strcmp(value, "none") != 0;
+        if (s->light.is_on) {
+            read_numbers(value, v, 2);
+            s->light = (light){true, v[0], v[1]};
+        }
+    } else if ((value = value_of(argument, "--sheet"))) {
+        s->sheet = (sheet_kind)read_word(value, sheets, 3);
+    } else {
+        refuse_usage();
+    }
+}
+
+int main(int argc, char **argv)
+{
+    static const char *const formats[MODEL_FORMATS] = {"obj", "stl", "ply", "off"};
+    error why = {ERROR_NONE, ""};
+    model_settings s = plb_model_settings_default();
+    raw_model m = {0};
+    size_t size;
+    if (argc < 2)
+        refuse_usage();
+    int format = read_word(argv[1], formats, MODEL_FORMATS);
+    for (int i = 2; i < argc; i++)
+        read_option(argv[i], &s);
+    char *data = read_file(&size);
+    if (!plb_model_read(data, size, (model_format)format, &m, &why))
+        quit(status_of(why.kind), why.text);
+    free(data);
+    if (!plb_model_draw(&m, &s, put, NULL, &why))
+        quit(status_of(why.kind), why.text);
+    _exit(TAP_DONE); /* no time for tidying up */
+}
