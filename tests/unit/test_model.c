@@ -30,11 +30,8 @@ static bool mesh_of(const char *obj, size_t size, mesh *m)
     raw_model raw = {0};
     error err = {ERROR_NONE, ""};
     *m = (mesh){0};
-    bool ok = plb_model_read(obj, size, MODEL_OBJ, &raw, &err) && plb_mesh_make(&raw, UP_Y, m, &err) && plb_mesh_weld(m, &err) && plb_mesh_edges(m, &err);
-    if (ok) {
-        plb_mesh_classify(m, 30 * PLB_PI / 180);
-        ok = plb_mesh_smooth(m, &err);
-    }
+    bool ok = plb_model_read(obj, size, MODEL_OBJ, &raw, &err) && plb_mesh_make(&raw, UP_Y, m, &err) && plb_mesh_weld(m, &err) && plb_mesh_edges(m, &err) &&
+              plb_mesh_classify(m, 30 * PLB_PI / 180, &err) && plb_mesh_smooth(m, &err);
     if (!ok)
         printf("# %s\n", err.text);
     plb_raw_model_free(&raw);
@@ -121,6 +118,33 @@ static void materials_have_borders(void)
     CHECK(mesh_of_text(two, &m));
     CHECK(count_edges(&m, EDGE_MATERIAL) == 1 && count_edges(&m, EDGE_BORDER) == 6);
     plb_mesh_free(&m);
+}
+
+/* A shell of two rows of triangles, folded by 40 degrees along a line that ends in its middle: a stray crease. Folded by 60, it is none. */
+static size_t folds(double degrees)
+{
+    char text[4000];
+    size_t n = 0;
+    double up = tan(degrees / 2 * PLB_PI / 180);
+    for (int i = 0; i <= 40; i++)
+        for (int k = 0; k < 3; k++)
+            n += (size_t)snprintf(text + n, sizeof text - n, "v %d %.6f %d\n", i, k == 1 && i < 3 ? up : 0., k);
+    for (int i = 0; i < 40; i++)
+        for (int k = 0; k < 2; k++) {
+            int a = 3 * i + k + 1;
+            n += (size_t)snprintf(text + n, sizeof text - n, "f %d %d %d %d\n", a, a + 3, a + 4, a + 1);
+        }
+    mesh m;
+    CHECK(mesh_of_text(text, &m));
+    size_t creases = count_edges(&m, EDGE_CREASE);
+    plb_mesh_free(&m);
+    return creases;
+}
+
+static void stray_creases_go(void)
+{
+    CHECK(folds(40) == 0);
+    CHECK(folds(80) > 0);
 }
 
 /* ---- visibility ---- */
@@ -296,6 +320,7 @@ int main(void)
     RUN(doubled_and_loose_faces_are_one);
     RUN(a_place_within_a_side_is_no_border);
     RUN(materials_have_borders);
+    RUN(stray_creases_go);
     RUN(the_house_is_seen_as_by_rays);
     RUN(the_bracket_is_seen_as_by_rays);
     RUN(the_chair_is_seen_as_by_rays);

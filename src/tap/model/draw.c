@@ -29,10 +29,7 @@ static bool make_mesh(raw_model *raw, const model_settings *s, mesh *m, error *e
     if (!plb_mesh_make(raw, up, m, err))
         return false;
     plb_raw_model_free(raw);
-    if (!plb_mesh_weld(m, err) || !plb_mesh_edges(m, err))
-        return false;
-    plb_mesh_classify(m, s->crease * PLB_PI / 180);
-    return plb_mesh_smooth(m, err);
+    return plb_mesh_weld(m, err) && plb_mesh_edges(m, err) && plb_mesh_classify(m, s->crease * PLB_PI / 180, err) && plb_mesh_smooth(m, err);
 }
 
 static bool write_single(item_writer *w, const mesh *m, double unit, const model_settings *s)

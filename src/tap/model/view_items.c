@@ -7,9 +7,12 @@
 
 #include "tap/model/hidden/covered.h"
 
-/* Widths of lines on paper, mm: those of ISO 128-2 for the group 0.5. Outlines are the broadest. */
+/* Widths of lines on paper, mm, of the row in ISO 128-2. The outline of the whole is the broadest. */
 #define WIDTH_EDGE 0.35
-#define WIDTH_CONTOUR 0.5
+#define WIDTH_OUTLINE 0.5
+/* A line has nothing on one side when there is nothing so far beside it, mm, along this part of it (chosen by eye). */
+#define BESIDE 0.35
+#define MOSTLY 0.6
 #define WIDTH_FINE 0.18
 /* Hidden lines [ISO 128-2, line type 02]: dashes of 12 widths with gaps of 3. */
 #define DASH_ON (12 * WIDTH_FINE)
@@ -18,7 +21,22 @@
 
 /* ---- items ---- */
 
-static bool write_run(item_writer *w, const run_list *l, const run *r, hidden_style hidden)
+/* Tells whether a line is mostly the outline of all that is seen. */
+static bool is_outline(const run_list *l, const run *r, const surface_buffer *b)
+{
+    double all = 0, free = 0;
+    for (size_t i = 0; i + 1 < r->n + r->is_closed && b->triangle; i++) {
+        point p = l->points.v[r->first + i], q = l->points.v[r->first + (i + 1) % r->n], d = point_sub(q, p), middle = point_mix(p, q, .5);
+        double length = plb_point_length(d);
+        point side = length > 0 ? (point){-d.y / length * BESIDE, d.x / length * BESIDE} : (point){0, 0};
+        bool is_free = plb_buffer_at(b, point_add(middle, side)) == NO_TRIANGLE || plb_buffer_at(b, point_sub(middle, side)) == NO_TRIANGLE;
+        all += length;
+        free += is_free ? length : 0;
+    }
+    return free > MOSTLY * all;
+}
+
+static bool write_run(item_writer *w, const run_list *l, const run *r, hidden_style hidden, const surface_buffer *b)
 {
     item *it = &w->item;
     double grey = r->is_hidden && hidden == HIDDEN_FAINT ? FAINT : 0;
@@ -28,7 +46,7 @@ static bool write_run(item_writer *w, const run_list *l, const run *r, hidden_st
     it->clip = NO_CLIP;
     it->cap = LINE_CAP_ROUND;
     it->paint = (paint){PAINT_SOLID, grey, grey, grey, 1};
-    it->width = r->is_hidden || r->kind == LINE_MATERIAL ? WIDTH_FINE : r->kind == LINE_CONTOUR ? WIDTH_CONTOUR : WIDTH_EDGE;
+    it->width = r->is_hidden || r->kind == LINE_MATERIAL ? WIDTH_FINE : is_outline(l, r, b) ? WIDTH_OUTLINE : WIDTH_EDGE;
     if (r->is_hidden && hidden == HIDDEN_DASHED && (!array_push(&it->dash, DASH_ON) || !array_push(&it->dash, DASH_OFF)))
         return plb_fail_memory(w->err);
     for (size_t i = 0; i < r->n; i++) {
@@ -122,14 +140,14 @@ bool plb_view_write(item_writer *w, const view *v, hidden_style hidden, light fr
     tone_list tones = {0};
     surface_buffer buffer = {0};
     bool ok = plb_view_lines(v, hidden != HIDDEN_NONE, &runs, w->err);
-    if (ok && from.is_on && v->m->triangles.n)
-        ok = plb_buffer_fill(v, &buffer, w->err) && plb_shade(v, &buffer, from, &tones, w->err);
+    if (ok && v->m->triangles.n)
+        ok = plb_buffer_fill(v, &buffer, w->err) && (!from.is_on || plb_shade(v, &buffer, from, &tones, w->err));
     for (size_t i = 0; ok && i < tones.areas.n; i++)
         ok = write_area(w, &tones, &tones.areas.v[i]);
     /* Lines come last: nothing hides them any more. */
     for (int pass = 0; ok && pass < 2; pass++)
         for (size_t i = 0; ok && i < runs.runs.n; i++)
-            ok = runs.runs.v[i].is_hidden != (pass == 0) || write_run(w, &runs, &runs.runs.v[i], hidden);
+            ok = runs.runs.v[i].is_hidden != (pass == 0) || write_run(w, &runs, &runs.runs.v[i], hidden, &buffer);
     plb_buffer_free(&buffer);
     plb_tone_list_free(&tones);
     plb_run_list_free(&runs);

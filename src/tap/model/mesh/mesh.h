@@ -62,7 +62,7 @@ bool plb_mesh_weld(mesh *m, error *err);
 /* Finds the edges; where a place lies within the side of a triangle at the surface's border, the side is cut there. */
 bool plb_mesh_edges(mesh *m, error *err);
 /* Says which edges are seen; `crease` is the angle, radians, from which a turn is sharp. */
-void plb_mesh_classify(mesh *m, double crease);
+bool plb_mesh_classify(mesh *m, double crease, error *err);
 /* Finds the smooth surfaces and their normals. */
 bool plb_mesh_smooth(mesh *m, error *err);
 

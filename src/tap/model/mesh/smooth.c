@@ -55,10 +55,73 @@ static edge_kind kind_of(const mesh *m, const edge *e, double crease)
     return is_other ? EDGE_MATERIAL : EDGE_SMOOTH;
 }
 
-void plb_mesh_classify(mesh *m, double crease)
+/* ---- stray creases ---- */
+
+/* A crease that turns by less than this many times the angle from which a turn is sharp is weak; a weak one that ends in the middle of a
+ * surface before this part of the model's size is none: coarse meshes of round things have such by accident (chosen by eye). */
+#define WEAK 1.6
+#define STRAY 0.1
+
+typedef struct {
+    uint32_t lines; /* edges that are seen and end here */
+    uint32_t edges; /* the sum of their numbers: the other one of two is found by it */
+} line_end;
+
+static bool is_weak(const mesh *m, uint32_t i, double crease)
+{
+    const edge *e = &m->edges.v[i];
+    return e->kind == EDGE_CREASE && e->n == 2 && acos(-1.) - vector_angle(inward(m, e, 0), inward(m, e, 1)) < WEAK * crease;
+}
+
+/* Follows weak creases from the edge's free end on, as long as there is one way, and gives their length; `drop`: they become smooth. */
+static double follow_stray(mesh *m, line_end *at, uint32_t i, uint32_t free_end, double crease, bool drop)
+{
+    double length = 0;
+    uint32_t from = free_end;
+    while (is_weak(m, i, crease)) {
+        edge *e = &m->edges.v[i];
+        uint32_t to = e->a == from ? e->b : e->a, next = at[to].edges - i;
+        bool goes_on = at[to].lines == 2;
+        length += vector_distance(m->places.v[e->a], m->places.v[e->b]);
+        if (drop) {
+            e->kind = EDGE_SMOOTH;
+            at[from].lines--, at[from].edges -= i;
+            at[to].lines--, at[to].edges -= i;
+        }
+        if (!goes_on || length > m->size)
+            break;
+        from = to;
+        i = next;
+    }
+    return length;
+}
+
+static bool drop_stray_creases(mesh *m, double crease)
+{
+    line_end *at = plb_new(m->places.n + 1, sizeof *at);
+    for (uint32_t i = 0; at && i < m->edges.n; i++) {
+        const edge *e = &m->edges.v[i];
+        if (e->kind == EDGE_SMOOTH)
+            continue;
+        at[e->a].lines++, at[e->a].edges += i;
+        at[e->b].lines++, at[e->b].edges += i;
+    }
+    for (uint32_t i = 0; at && i < m->edges.n; i++)
+        for (int k = 0; k < 2; k++) {
+            uint32_t end = k ? m->edges.v[i].b : m->edges.v[i].a;
+            if (m->edges.v[i].kind == EDGE_CREASE && at[end].lines == 1 && follow_stray(m, at, i, end, crease, false) < STRAY * m->size)
+                follow_stray(m, at, i, end, crease, true);
+        }
+    bool ok = at;
+    plb_free(at);
+    return ok;
+}
+
+bool plb_mesh_classify(mesh *m, double crease, error *err)
 {
     for (size_t i = 0; i < m->edges.n; i++)
         m->edges.v[i].kind = kind_of(m, &m->edges.v[i], crease);
+    return drop_stray_creases(m, crease) || plb_fail_memory(err);
 }
 
 /* ---- patches ---- */
