@@ -164,7 +164,7 @@ static void set_piece(hider *h, const line_piece *p)
     h->z = p->from.z;
     h->climb = p->to.z - p->from.z;
     h->n = 0;
-    /* What lies farther away than all of the piece cannot hide it. */
+    /* Surfaces farther away than all of the piece cannot hide it. */
     for (int k = 0; k < 3; k++) {
         double slack = fabs(low[k]) * 2e-7 + h->beside;
         h->box.low[k] = (float)(low[k] - slack);
