@@ -120,10 +120,36 @@ static bool belongs_to_letter(const plan_context *p, size_t i, bool *belongs, er
     return ok;
 }
 
+/* Tells whether a fill is shaded together with others. In colour each has strokes of its own. */
+static bool is_cell(const plan_context *p, size_t i)
+{
+    return p->options->fill == FILL_HATCH && !p->options->colour && plb_cells_group(p->cells, i) > 0;
+}
+
+int plb_marks_clip(const plan_context *p, size_t i)
+{
+    return is_cell(p, i) ? plb_cells_clip(p->cells, i) : p->list->items.v[i].clip;
+}
+
+/* Adds the hatching of a group of cells in place of its last one. Edges of the cells' own tone are not drawn. */
+static bool add_cell(const plan_context *p, size_t i, track_list *out, bool *stands_for_next, error *err)
+{
+    const item *it = &p->list->items.v[i];
+    tone_field f = {0};
+    *stands_for_next = i + 1 < p->list->items.n && is_outlined_by(it, it + 1) && !is_edge(it, it + 1);
+    if (!plb_cells_is_last(p->cells, i))
+        return true;
+    bool ok = plb_cells_field(p->cells, plb_cells_group(p->cells, i), &f, err) && plb_plan_hatch_cells(&p->hatcher, it, &f, out, err);
+    plb_field_free(&f);
+    return ok;
+}
+
 static bool add_fill(const plan_context *p, size_t i, track_list *out, bool *stands_for_next, error *err)
 {
     const item *it = &p->list->items.v[i];
     fill_style fill = p->options->fill;
+    if (is_cell(p, i))
+        return add_cell(p, i, out, stands_for_next, err);
     bool outlined_before = i > 0 && is_outlined_by(it, it - 1), outlined_after = i + 1 < p->list->items.n && is_outlined_by(it, it + 1);
     bool outlined = outlined_before || outlined_after, is_letter = false, is_blot = false, outline = fill == FILL_OUTLINE;
     if (fill == FILL_HATCH && !plb_is_blot(it, p->options, &is_blot, err))

@@ -2,6 +2,7 @@
  *
  * Plan: from what was drawn to what a hand draws. plb_plan is the table of contents:
  *
+ *     all fills      how dark each is shaded, which are shaded as one, which need a direction of their own
  *     each item      visible? → marks → fuse → clip → dash → hidden → scraps → simplify → corners → strokes
  *     all strokes    clear of lettering → drawn once → joined → smooth → beside or upon each other? → habits → in order → identities
  *
@@ -94,7 +95,7 @@ static bool finish_marks(planner *p, size_t i, const track_list *marks)
         ok = plb_plan_fuse(c->occluders, i, marks, plb_tracks_clear(b), p->err);
         marks = b;
     }
-    ok = ok && plb_plan_clip(c->clips, it->clip, marks, plb_tracks_clear(a), p->err);
+    ok = ok && plb_plan_clip(c->clips, plb_marks_clip(c, i), marks, plb_tracks_clear(a), p->err);
     if (ok && is_thin_line(it, o)) {
         ok = plb_plan_dash(it, a, o, plb_tracks_clear(b), p->err);
         a = &p->b;
@@ -156,13 +157,42 @@ static bool arrange(stroke_list *out, const plan_options *o, error *err)
 
 /* ---- all of it ---- */
 
+/* Takes the list with a dark paint for the letters that are to be written: an array of items of its own, whose paths stay the list's. */
+static bool ink_letters(plan_context *c, const display_list *list, const bool *is_inked, error *err)
+{
+    c->inked = *list;
+    c->list = &c->inked;
+    c->inked.items.v = plb_new(list->items.n, sizeof *c->inked.items.v);
+    if (!c->inked.items.v)
+        return plb_fail_memory(err);
+    for (size_t i = 0; i < list->items.n; i++) {
+        c->inked.items.v[i] = list->items.v[i];
+        if (is_inked[i])
+            c->inked.items.v[i].paint = (paint){PAINT_SOLID, 0, 0, 0, 1};
+    }
+    return true;
+}
+
 static bool context_init(plan_context *c, const display_list *list, const plan_options *o, error *err)
 {
-    *c = (plan_context){.list = list, .options = o, .hatcher = plb_hatcher(list, o)};
+    tone_curve curve;
+    bool *is_inked = plb_new(list->items.n, sizeof *is_inked);
+    *c = (plan_context){.options = o};
+    bool ok = is_inked ? plb_tone_curve_find(list, o, &curve, is_inked, err) : plb_fail_memory(err);
+    ok = ok && ink_letters(c, list, is_inked, err);
+    plb_free(is_inked);
+    if (!ok)
+        return false;
+    list = c->list;
     c->clips = plb_clipper_new(list, err);
     c->occluders = c->clips ? plb_occluders_new(list, o, c->clips, err) : NULL;
-    c->glyphs = c->occluders ? plb_glyphs_new(o->pencil_width, err) : NULL;
+    c->cells = c->occluders ? plb_cells_new(list, c->occluders, err) : NULL;
+    paint_manners manners;
+    if (!c->cells || !plb_manners_find(list, o, &curve, c->cells, &manners, err))
+        return false;
+    c->glyphs = plb_glyphs_new(o->pencil_width, err);
     c->runs = c->glyphs ? plb_letter_runs_new(list, err) : NULL;
+    c->hatcher = plb_hatcher(list, o, &curve, &manners);
     return c->runs && plb_usual_width(list, o, &c->usual_width, err);
 }
 
@@ -170,6 +200,8 @@ static void context_free(plan_context *c)
 {
     plb_letter_runs_free(c->runs);
     plb_glyphs_free(c->glyphs);
+    plb_cells_free(c->cells);
+    plb_free(c->inked.items.v);
     plb_occluders_free(c->occluders);
     plb_clipper_free(c->clips);
 }

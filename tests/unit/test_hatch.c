@@ -58,6 +58,9 @@ static item fill_of(double grey)
     return (item){.kind = ITEM_FILL, .paint = {PAINT_SOLID, grey, grey, grey, 1}, .clip = NO_CLIP};
 }
 
+static const tone_curve plain = {2, {0, 1}, {0, 1}};
+static const paint_manners none = {.n = 0};
+
 static void polygon(item *it, const double *xy, int n)
 {
     for (int i = 0; i < n; i++) {
@@ -82,7 +85,7 @@ static tally hatch(item *it, uint64_t seed, bool *outline)
     list.width = list.height = 100;
     list.items.v = it;
     list.items.n = 1;
-    hatcher h = plb_hatcher(&list, &how);
+    hatcher h = plb_hatcher(&list, &how, &plain, &none);
     tally k = {.bounds = BOX_EMPTY, .least_pressure = 1e9, .hole = {50, 50}, .closest = 1e9};
     CHECK(hatch_fill(&h, it, outline, count, &k));
     return k;
@@ -221,7 +224,7 @@ static void shapes_of_one_tone_share_a_direction(void)
         rectangle(&it, 10 * i + 5, i == 2 || i == 7 ? 82 : 20, 10 * i + 12, 90);
         CHECK(plb_list_add(&list, &it, NULL));
     }
-    hatcher h = plb_hatcher(&list, &how);
+    hatcher h = plb_hatcher(&list, &how, &plain, &none);
     for (size_t i = 0; i < 7; i++)
         CHECK_RANGE(fabs(plb_hatch_direction(&h, &list.items.v[i])), PLB_PI / 2 - .01, PLB_PI / 2 + .01);
     CHECK(plb_hatch_direction(&h, &list.items.v[7]) == HATCH_HABIT);
@@ -289,7 +292,7 @@ static void huge_shapes_stay_in_bounds(void)
     it = fill_of(.1);
     polygon(&it, (const double[]){-9e6, -9e6, 9e6, -9e6, 0, 9e6}, 3);
     CHECK(plb_list_add(&list, &it, NULL));
-    hatcher h = plb_hatcher(&list, &how);
+    hatcher h = plb_hatcher(&list, &how, &plain, &none);
     bool outline;
     for (size_t i = 0; i < list.items.n; i++)
         CHECK(hatch_fill(&h, &list.items.v[i], &outline, count, &k));
@@ -330,7 +333,7 @@ static void gradients_are_hatched_by_their_local_tone(void)
     CHECK(it.gradient == 1);
     rectangle(&it, 20, 20, 80, 60);
     CHECK(plb_list_add(&list, &it, NULL));
-    hatcher h = plb_hatcher(&list, &how);
+    hatcher h = plb_hatcher(&list, &how, &plain, &none);
     CHECK(hatch_fill(&h, &list.items.v[0], &outline, count_thirds, &k));
     CHECK(outline && k.ink[0] > 1.7 * k.ink[1] && k.ink[1] > 2.2 * k.ink[2] && k.ink[2] > 0);
     plb_list_free(&list);

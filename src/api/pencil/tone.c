@@ -25,6 +25,8 @@
 
 bool plb_api_needs_tone(const display_list *list, const plan_options *options)
 {
+    if (options->fill == FILL_HATCH && plb_cells_may_be(list))
+        return true;
     for (size_t i = 0; options->fill == FILL_HATCH && i < list->items.n; i++) {
         const item *it = &list->items.v[i];
         if (it->kind == ITEM_FILL && plb_may_be_hatched(it, options))

@@ -42,15 +42,15 @@ static double overlap(box a, box b)
     return w > 0 && h > 0 ? w * h : 0;
 }
 
-hatcher plb_hatcher(const display_list *list, const plan_options *o)
+hatcher plb_hatcher(const display_list *list, const plan_options *o, const tone_curve *curve, const paint_manners *manners)
 {
-    hatcher h = {.list = list, .options = o, .page = {0, 0, list->width, list->height}, .coarser = 1};
+    hatcher h = {.list = list, .options = o, .curve = *curve, .manners = *manners, .page = {0, 0, list->width, list->height}, .coarser = 1};
     technique full = plb_technique(1, o->shade_width);
     double cover = list->width * list->height / TYPICAL_LENGTH * (1 / full.spacing[0] + 1 / full.spacing[1]);
     double budget = fmin(fmax(MAX_COVERS * cover, MIN_BUDGET), MAX_BUDGET), strokes = 0;
     for (size_t i = 0; i < list->items.n; i++) {
         const item *it = &list->items.v[i];
-        tone_source t = plb_tone_source(list, it, o, o->colour);
+        tone_source t = plb_tone_source(list, it, o, curve, o->colour);
         double darkest = plb_darkest(&t);
         if (it->kind != ITEM_FILL || darkest < MIN_DARKNESS)
             continue;
@@ -97,20 +97,50 @@ static double darkest_of(const tone_source *t, const shape *s, double *mean)
 static bool add_tone(const hatcher *h, const shape *s, const item *fill, const tone_source *t, double darkness, const marks *m)
 {
     technique q = plb_technique_for(darkness, h->options);
+    manner how = plb_manner_of(&h->manners, &fill->paint);
+    if (how.is_single)
+        q = plb_single_layer(q, h->options->shade_width, how.coarser);
     uint64_t key = random_key(h->options->seed, s->identity, PURPOSE_HATCH);
-    double direction = plb_hatch_direction(h, fill) + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
+    double direction = (how.is_single ? HATCH_HABIT : plb_hatch_direction(h, fill)) + how.turn + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
     bool ok = true;
     for (int k = 0; ok && k < HATCH_LAYERS; k++) {
-        hatch_layer l = {direction + k * CROSS_ANGLE, q.spacing[k] * h->coarser, q.pressure, k, q.spacing[k], t->gradient ? t : NULL};
+        hatch_layer l = {direction + k * CROSS_ANGLE, q.spacing[k] * h->coarser, q.pressure, k, q.spacing[k], t->field ? t->field->finest : 0, t->gradient || t->field ? t : NULL};
         ok = !(l.spacing > 0) || plb_hatch_lines(s, &l, h->page, m);
     }
     return ok;
 }
 
+/* Makes the upright box a shape. */
+static bool box_shape(shape *s, box b, error *err)
+{
+    point corner[4] = {{b.x0, b.y0}, {b.x1, b.y0}, {b.x1, b.y1}, {b.x0, b.y1}};
+    item it = {.kind = ITEM_FILL};
+    bool ok = plb_path_move(&it.path, corner[0]) && plb_path_line(&it.path, corner[1]) && plb_path_line(&it.path, corner[2]) &&
+              plb_path_line(&it.path, corner[3]) && plb_path_close(&it.path);
+    *s = (shape){0};
+    ok = ok ? plb_shape_init(s, &it, err) : plb_fail_memory(err);
+    plb_path_free(&it.path);
+    return ok;
+}
+
+bool plb_plan_hatch_cells(const hatcher *h, const item *last, const tone_field *f, track_list *out, error *err)
+{
+    tone_source t = {.paint = &last->paint, .field = f, .curve = &h->curve, .options = h->options};
+    marks m = {h->options, {1, 0, STROKE_HATCH, 1}, out, err};
+    double darkest = 0;
+    shape s;
+    for (size_t k = 0; k < (size_t)f->columns * (size_t)f->rows; k++)
+        darkest = fmax(darkest, (double)f->darkness[k]);
+    darkest = plb_tone_curve_at(&h->curve, darkest);
+    bool ok = box_shape(&s, f->bounds, err) && (darkest < MIN_DARKNESS || add_tone(h, &s, last, &t, darkest, &m));
+    plb_shape_free(&s);
+    return ok;
+}
+
 bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *outline, track_list *out, error *err)
 {
-    tone_source t = plb_tone_source(h->list, fill, h->options, colour != 0);
-    double darkness = plb_paint_darkness(&fill->paint, colour != 0), mean = darkness;
+    tone_source t = plb_tone_source(h->list, fill, h->options, &h->curve, colour != 0);
+    double darkness = plb_tone_curve_at(&h->curve, plb_paint_darkness(&fill->paint, colour != 0)), mean = darkness;
     marks m = {h->options, {1, colour, STROKE_HATCH, 1}, out, err};
     shape s;
     bool ok = plb_shape_init(&s, fill, err);

@@ -7,6 +7,9 @@
 
 #include "list/display_list.h"
 #include "plan/plan.h"
+#include "plan/tone/cells.h"
+#include "plan/tone/manners.h"
+#include "plan/tone/tone_curve.h"
 #include "plan/track.h"
 
 /* Shapes of about the same tone, and the axes they have: sums over them, weighted. */
@@ -19,11 +22,13 @@ typedef struct {
 typedef struct {
     const display_list *list; /* borrowed, as … */
     const plan_options *options;  /* … is this */
+    tone_curve curve;
+    paint_manners manners;
     box page;                /* mm: nothing is hatched beyond it */
     double coarser;          /* all spacings are this many times as wide, >= 1, so that a drawing's lines stay in bounds */
     hatch_family families[HATCH_FAMILIES]; /* by darkness */
 } hatcher;
-hatcher plb_hatcher(const display_list *list, const plan_options *o);
+hatcher plb_hatcher(const display_list *list, const plan_options *o, const tone_curve *curve, const paint_manners *manners);
 
 /* Tells whether its tone may count: it is neither too small for a tone nor too light for a mark. */
 bool plb_may_be_hatched(const item *fill, const plan_options *o);
@@ -36,6 +41,9 @@ bool plb_is_blot(const item *fill, const plan_options *o, bool *blot, error *err
  * `colour`), neither clipped nor hidden. *outline tells whether the caller should draw the shape's outline too: not
  * where the marks themselves follow it, nor round what is taken for paper. False and `err` when out of memory. */
 bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *outline, track_list *out, error *err);
+
+/* Appends the marks that give a group of cells its tones: hatching across all of them; `last` is the group's last cell. As above. */
+bool plb_plan_hatch_cells(const hatcher *h, const item *last, const tone_field *f, track_list *out, error *err);
 
 /* ---- hatch_direction.c ---- */
 

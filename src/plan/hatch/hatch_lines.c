@@ -114,6 +114,9 @@ static bool send_sweeps(const hatching *h, const sections *k, double v, double t
 #define NEW_PRESSURE 0.13
 #define SHORTEST_PART 2.5
 #define MAX_TONE_LOOKS 4000
+/* … in fields of cells so many times to the breadth of a cell, whose strokes overlap by so much where they change, mm. */
+#define LOOKS_PER_CELL 3.0
+#define CELL_LAP 0.1
 
 /* Gives the rank of a line, evenly spread in [0, 1) over any run of neighbours (van der Corput's sequence), a little uneven: where
  * the tone asks for a share of the lines, those of a lower rank are drawn. */
@@ -145,19 +148,21 @@ static bool send_part(const hatching *h, const sections *k, double v, double til
 /* Follows the tone along the line. */
 static bool send_varied(const hatching *h, const sections *k, double v, double tilt, span s, uint64_t index)
 {
-    double rank = rank_of(h), looks = fmin(ceil((s.to - s.from) / LOOK_MM), MAX_TONE_LOOKS), step = (s.to - s.from) / looks;
+    double finest = h->l->finest, look = finest > 0 ? fmin(LOOK_MM, finest / LOOKS_PER_CELL) : LOOK_MM;
+    double part = finest > 0 ? fmin(SHORTEST_PART, finest / 2) : SHORTEST_PART, lap = finest > 0 ? CELL_LAP : SWEEP_LAP;
+    double rank = rank_of(h), looks = fmin(ceil((s.to - s.from) / look), MAX_TONE_LOOKS), step = (s.to - s.from) / looks;
     double from = s.from, sum = 0, first = 0;
     int n = 0;
     bool ok = true;
     for (int i = 0; ok && i < (int)looks; i++) {
         double u = s.from + i * step, p = pressure_at(h, place(h, k, v, tilt, u + step / 2), rank);
-        bool changed = n && fabs(p - first) > NEW_PRESSURE * first && u - from > SHORTEST_PART;
+        bool changed = n && fabs(p - first) > NEW_PRESSURE * first && u - from > part;
         if (n && (!(p > 0) || changed || u - from > SWEEP_LONGEST)) {
-            ok = send_part(h, k, v, tilt, (span){from, u + (p > 0 ? SWEEP_LAP / 2 : 0)}, index++, sum, n);
+            ok = send_part(h, k, v, tilt, (span){from, u + (p > 0 ? lap / 2 : 0)}, index++, sum, n);
             n = 0;
         }
         if (p > 0 && n++ == 0) {
-            from = fmax(u - (i > 0 ? SWEEP_LAP / 2 : 0), s.from);
+            from = fmax(u - (i > 0 ? lap / 2 : 0), s.from);
             first = p;
             sum = 0;
         }

@@ -26,6 +26,7 @@ typedef struct {
     double angle, spacing, pressure;
     int layer;
     double dense;            /* what `spacing` would be but for the bound on the number of lines, mm */
+    double finest;           /* what the tone may change over, mm; 0: it changes slowly */
     const tone_source *tone; /* where it varies: `spacing` is then that of the darkest place; NULL: it is even */
 } hatch_layer;
 bool plb_hatch_lines(const shape *s, const hatch_layer *l, box page, const marks *m);

@@ -16,6 +16,8 @@ static const double pressure_at[3] = {.3, .75, 1.25};
 #define CROSS_FROM 0.62
 #define CROSS_WIDEST 2.6
 #define CROSS_CLOSEST 0.8
+/* Lines closer than this, in widths of the pencil's line, are no longer seen one by one (chosen by eye). */
+#define SINGLE_CLOSEST 1.35
 /* Darker than this part of what the pencil can do, tones are drawn together so that black is its darkest. */
 #define KNEE 0.84
 
@@ -36,9 +38,9 @@ technique plb_technique(double effort, double width)
     return q;
 }
 
-/* Gives the darkness that the pencil can make of a darkness: the same up to the knee, then evenly up to the pencil's darkest. */
-static double within_reach(double darkness, double darkest)
+double plb_tone_within_reach(double darkness, const plan_options *o)
 {
+    double darkest = o->tone.darkness[TONE_STEPS - 1];
     double knee = KNEE * darkest;
     if (darkest >= 1 || darkness <= knee)
         return darkness;
@@ -48,7 +50,7 @@ static double within_reach(double darkness, double darkest)
 technique plb_technique_for(double darkness, const plan_options *o)
 {
     const double *scale = o->tone.darkness;
-    double want = within_reach(darkness, scale[TONE_STEPS - 1]);
+    double want = plb_tone_within_reach(darkness, o);
     int k = 1;
     while (k < TONE_STEPS - 1 && scale[k] < want)
         k++;
@@ -59,23 +61,31 @@ technique plb_technique_for(double darkness, const plan_options *o)
     return q;
 }
 
+technique plb_single_layer(technique q, double width, double coarser)
+{
+    q.spacing[0] = fmax(q.spacing[0], SINGLE_CLOSEST * width) * coarser;
+    for (int k = 1; k < HATCH_LAYERS; k++)
+        q.spacing[k] = 0;
+    return q;
+}
+
 double plb_paint_darkness(const paint *p, bool colour)
 {
     double darkness = colour ? p->alpha : 1 - plb_paint_lightness(*p);
     return darkness < 0 ? 0 : darkness > 1 ? 1 : darkness;
 }
 
-tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, bool colour)
+tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, const tone_curve *curve, bool colour)
 {
-    return (tone_source){.paint = &fill->paint, .gradient = plb_item_gradient(list, fill), .colour = colour, .options = o};
+    return (tone_source){.paint = &fill->paint, .gradient = plb_item_gradient(list, fill), .curve = curve, .colour = colour, .options = o};
 }
 
 double plb_darkness_at(const tone_source *t, point at)
 {
-    if (!t->gradient)
-        return plb_paint_darkness(t->paint, t->colour);
-    paint there = plb_gradient_at(t->gradient, at);
-    return plb_paint_darkness(&there, t->colour);
+    if (t->field)
+        return plb_tone_curve_at(t->curve, plb_field_at(t->field, at));
+    paint there = t->gradient ? plb_gradient_at(t->gradient, at) : *t->paint;
+    return plb_tone_curve_at(t->curve, plb_paint_darkness(&there, t->colour));
 }
 
 double plb_darkest(const tone_source *t)
@@ -87,5 +97,5 @@ double plb_darkest(const tone_source *t)
         paint there = {PAINT_SOLID, (double)s->red, (double)s->green, (double)s->blue, (double)s->alpha * g->opacity};
         most = fmax(most, plb_paint_darkness(&there, t->colour));
     }
-    return most;
+    return plb_tone_curve_at(t->curve, most);
 }

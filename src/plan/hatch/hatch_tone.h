@@ -7,6 +7,8 @@
 
 #include "list/display_list.h"
 #include "plan/plan.h"
+#include "plan/tone/cells.h"
+#include "plan/tone/tone_curve.h"
 
 /* Lighter tones are left to the paper (chosen by eye). */
 #define MIN_DARKNESS 0.045
@@ -23,14 +25,22 @@ technique plb_technique(double effort, double width);
 /* Gives the technique for a darkness (0 paper to 1 black) with the pencil of these options. */
 technique plb_technique_for(double darkness, const plan_options *o);
 
+/* Gives the darkness that the pencil can make of a darkness: the same up to a knee, then evenly up to the pencil's darkest. */
+double plb_tone_within_reach(double darkness, const plan_options *o);
+/* Gives the technique with one layer of lines that are seen one by one, so that their direction and spacing tell; spacing `coarser` times. */
+technique plb_single_layer(technique q, double width, double coarser);
+
 /* A tone comes from one paint or from a gradient. */
 typedef struct {
     const paint *paint;
-    const gradient *gradient; /* NULL: the paint's tone is the same everywhere */
+    const gradient *gradient; /* NULL: the paint's tone is the same everywhere, unless there is a … */
+    const tone_field *field;  /* … NULL otherwise */
+    const tone_curve *curve;
     bool colour;
     const plan_options *options;
 } tone_source;
-tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, bool colour);
+/* `curve` is borrowed: all tones go through it. */
+tone_source plb_tone_source(const display_list *list, const item *fill, const plan_options *o, const tone_curve *curve, bool colour);
 /* Gives the darkest of all its places. */
 double plb_darkest(const tone_source *t);
 double plb_darkness_at(const tone_source *t, point at);

@@ -26,6 +26,11 @@
 #define VEIL_LIGHT 0.9
 /* A line in the paper's colour hides what is at least so many widths of the pencil broad (chosen by eye: less closes up). */
 #define GAP_WIDTHS 0.9
+/* Lettering in the paper's colour, strokes up to so many mm broad, keeps so much open between the pencil's lines, mm, besides its own
+ * breadth at least (chosen by eye: less closes up). */
+#define WHITE_STEM_MM 1.2
+#define OPEN_MM 0.4
+#define HALO_WIDTHS 0.4
 /* A node of the tree has so many boxes. */
 #define FAN 8
 /* One drawing may look at edges so often, which takes some seconds: beyond, nothing more is cut. */
@@ -34,6 +39,7 @@
 typedef struct {
     box bounds;
     size_t order;    /* the item's number */
+    double halo;     /* 0, or the breadth of a band along the outline that stays free, mm: the area is then this band */
     uint32_t code;   /* Morton code of the middle */
     region *region;  /* made when first needed */
     bool is_failed;  /* it could not be made */
@@ -113,13 +119,23 @@ static uint32_t spread(double unit)
     return (x | x << 1) & 0x55555555;
 }
 
-static bool add_area(occluders *c, size_t i)
+/* Gives the breadth of the band along the outlines of white letters that must stay free: lines beside the letter and those that end at it
+ * reach over by a part of their breadth. 0: it is no white letter,
+ * or nothing is hatched. */
+static double halo_of(const item *it, const plan_options *o)
+{
+    double stem = o->fill == FILL_HATCH && it->kind == ITEM_FILL && !plb_leaves_mark(it) ? plb_fill_breadth(&it->path) : INFINITY;
+    return stem > WHITE_STEM_MM ? 0 : HALO_WIDTHS * o->shade_width + fmax(OPEN_MM - stem, 0);
+}
+
+static bool add_area(occluders *c, size_t i, double halo)
 {
     const display_list *list = c->list;
     box b = reach_of(list, &list->items.v[i], c->options);
+    b = (box){b.x0 - halo, b.y0 - halo, b.x1 + halo, b.y1 + halo};
     if (b.x1 - b.x0 < 2 * EDGE_MARGIN_MM || b.y1 - b.y0 < 2 * EDGE_MARGIN_MM)
         return true; /* too small for anything to hide in */
-    area a = {.bounds = b, .order = i};
+    area a = {.bounds = b, .order = i, .halo = halo};
     a.code = spread((b.x0 + b.x1) / 2 / list->width) | spread((b.y0 + b.y1) / 2 / list->height) << 1;
     return array_push(&c->areas, a);
 }
@@ -222,7 +238,8 @@ occluders *plb_occluders_new(const display_list *list, const plan_options *o, cl
         c->err = err;
     }
     for (size_t i = 0; ok && i < list->items.n; i++)
-        ok = !hides(list, &list->items.v[i], o) || add_area(c, i);
+        ok = !hides(list, &list->items.v[i], o) ||
+             (add_area(c, i, 0) && (!(halo_of(&list->items.v[i], o) > 0) || add_area(c, i, halo_of(&list->items.v[i], o))));
     if (ok && build(c) && find_hidden(c))
         return c;
     plb_occluders_free(c);
@@ -251,12 +268,12 @@ bool plb_occluders_are_exhausted(const occluders *c)
 
 /* ---- questions ---- */
 
-static region *make_region(occluders *c, const item *it)
+static region *make_region(occluders *c, const item *it, double halo)
 {
-    if (it->kind == ITEM_FILL)
+    if (it->kind == ITEM_FILL && !(halo > 0))
         return plb_region_new(&it->path, it->even_odd, c->err);
     path outline = {0};
-    region *r = plb_wide_outline(it, hiding_width(it, c->options), &outline, c->err) ? plb_region_new(&outline, false, c->err) : NULL;
+    region *r = plb_wide_outline(it, halo > 0 ? halo : hiding_width(it, c->options), &outline, c->err) ? plb_region_new(&outline, false, c->err) : NULL;
     plb_path_free(&outline);
     return r;
 }
@@ -264,7 +281,7 @@ static region *make_region(occluders *c, const item *it)
 static const region *region_of(occluders *c, area *a)
 {
     if (!a->region && !a->is_failed) {
-        a->region = make_region(c, &c->list->items.v[a->order]);
+        a->region = make_region(c, &c->list->items.v[a->order], a->halo);
         a->is_failed = !a->region;
     }
     return a->region;

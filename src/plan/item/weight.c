@@ -53,6 +53,25 @@ static double rough_length(const path *p)
     return sum;
 }
 
+double plb_fill_breadth(const path *p)
+{
+    double area = 0, length = 0;
+    const point *at = p->points.v;
+    point first = {0, 0};
+    for (size_t i = 0; i < p->ops.n; i++) {
+        if (p->ops.v[i] == PATH_MOVE)
+            first = *at++;
+        else if (p->ops.v[i] != PATH_CLOSE)
+            for (int k = 0, n = p->ops.v[i] == PATH_CURVE ? 3 : 1; k < n; k++, at++) {
+                area += point_cross(point_sub(at[-1], first), point_sub(at[0], first)) / 2;
+                length += plb_point_distance(at[-1], at[0]);
+            }
+        else
+            length += plb_point_distance(at[-1], first);
+    }
+    return length > 0 ? 2 * fabs(area) / length : 0;
+}
+
 bool plb_usual_width(const display_list *list, const plan_options *o, double *width, error *err)
 {
     ARRAY(share) shares = {0};

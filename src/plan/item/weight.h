@@ -17,4 +17,7 @@ bool plb_usual_width(const display_list *list, const plan_options *o, double *wi
 /* Gives the style of the lines of `it` in a drawing whose lines are `usual` mm wide. */
 stroke_style plb_style_of(const item *it, const plan_options *o, double usual);
 
+/* Gives how broad a fill is about, mm: twice the area over the perimeter of its control polygon, the width of a stroke's outline. */
+double plb_fill_breadth(const path *p);
+
 #endif

@@ -1,0 +1,200 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which tone a fill gets: cells as one area, tones that carry words, manners that tell paints apart.
+ */
+#include "check.h"
+
+#include "plan/tone/cells.h"
+#include "plan/tone/manners.h"
+#include "plan/tone/tone_curve.h"
+
+#include <math.h>
+
+static display_list page(void)
+{
+    display_list list;
+    plb_list_init(&list);
+    list.width = list.height = 100;
+    return list;
+}
+
+static void fill(display_list *list, double x, double y, double w, double h, double grey)
+{
+    item it = {.kind = ITEM_FILL, .paint = {PAINT_SOLID, grey, grey, grey, 1}, .clip = NO_CLIP};
+    CHECK(plb_path_move(&it.path, (point){x, y}) && plb_path_line(&it.path, (point){x + w, y}) && plb_path_line(&it.path, (point){x + w, y + h}) &&
+          plb_path_line(&it.path, (point){x, y + h}) && plb_path_close(&it.path));
+    CHECK(plb_list_add(list, &it, NULL));
+}
+
+static void line(display_list *list, double x0, double y0, double x1, double y1)
+{
+    item it = {.kind = ITEM_STROKE, .paint = {PAINT_SOLID, 0, 0, 0, 1}, .clip = NO_CLIP, .width = 0.3};
+    CHECK(plb_path_move(&it.path, (point){x0, y0}) && plb_path_line(&it.path, (point){x1, y1}));
+    CHECK(plb_list_add(list, &it, NULL));
+}
+
+static plan_options hatching(void)
+{
+    plan_options o = plb_plan_options_default();
+    o.fill = FILL_HATCH;
+    return o;
+}
+
+typedef struct {
+    clipper *clips;
+    occluders *occluders;
+    cell_groups *cells;
+} groups;
+
+static groups find_groups(const display_list *list, const plan_options *o)
+{
+    groups g = {.clips = plb_clipper_new(list, NULL)};
+    g.occluders = plb_occluders_new(list, o, g.clips, NULL);
+    g.cells = plb_cells_new(list, g.occluders, NULL);
+    CHECK(g.cells);
+    return g;
+}
+
+static void free_groups(groups *g)
+{
+    plb_cells_free(g->cells);
+    plb_occluders_free(g->occluders);
+    plb_clipper_free(g->clips);
+}
+
+static void cells_that_adjoin_are_one_field(void)
+{
+    display_list list = page();
+    plan_options o = hatching();
+    for (int i = 0; i < 100; i++)
+        fill(&list, 20 + i % 10, 20 + i / 10, 1, 1, i / 110.);
+    fill(&list, 60, 60, 1, 1, .5); /* beside them */
+    groups g = find_groups(&list, &o);
+    CHECK(plb_cells_group(g.cells, 0) == 1 && plb_cells_group(g.cells, 99) == 1 && plb_cells_group(g.cells, 100) == 0);
+    CHECK(plb_cells_is_last(g.cells, 99) && !plb_cells_is_last(g.cells, 98));
+    tone_field f;
+    CHECK(plb_cells_field(g.cells, 1, &f, NULL));
+    for (int i = 0; i < 100; i++)
+        CHECK(fabs(plb_field_at(&f, (point){20.5 + i % 10, 20.5 + i / 10}) - (1 - i / 110.)) < 1e-6);
+    CHECK(plb_field_at(&f, (point){19, 25}) == 0 && plb_field_at(&f, (point){25, 31}) == 0);
+    plb_field_free(&f);
+    free_groups(&g);
+    plb_list_free(&list);
+}
+
+/* The same hatching whatever the cells' size: white in the middle of black stays white, and no cell has an outline. */
+static void a_field_is_hatched_across_its_cells(void)
+{
+    display_list list = page();
+    plan_options o = hatching();
+    stroke_list out;
+    for (int i = 0; i < 400; i++)
+        fill(&list, 20 + i % 20, 20 + i / 20, 1, 1, i % 20 >= 5 && i % 20 < 15 && i / 20 >= 5 && i / 20 < 15 ? 1 : i % 9 / 40.);
+    CHECK(plb_plan(&list, &o, NULL, &out, NULL) && out.strokes.n > 20);
+    for (size_t i = 0; i < out.strokes.n; i++) {
+        const stroke *s = &out.strokes.v[i];
+        point middle = point_mix(out.points.v[s->first], out.points.v[s->first + s->n - 1], .5);
+        CHECK(s->style.kind == STROKE_HATCH);
+        CHECK(!(middle.x > 26 && middle.x < 34 && middle.y > 26 && middle.y < 34));
+    }
+    plb_stroke_list_free(&out);
+    plb_list_free(&list);
+}
+
+/* A chart of few tones, and dots that lie here and there, are no field. */
+static void charts_and_dots_are_no_cells(void)
+{
+    display_list list = page();
+    plan_options o = hatching();
+    for (int i = 0; i < 30; i++)
+        fill(&list, 20 + i % 6, 20 + i / 6, 1, 1, i % 3 / 3.);
+    for (int i = 0; i < 30; i++)
+        fill(&list, 50 + i % 6 * 1.3, 50 + i / 6 * 1.3, 1, 1, i / 30.);
+    groups g = find_groups(&list, &o);
+    for (size_t i = 0; i < 60; i++)
+        CHECK(plb_cells_group(g.cells, i) == 0);
+    free_groups(&g);
+    plb_list_free(&list);
+}
+
+static tone_curve curve_of(const display_list *list, bool *is_inked)
+{
+    plan_options o = hatching();
+    tone_curve c;
+    CHECK(plb_tone_curve_find(list, &o, &c, is_inked, NULL));
+    for (int i = 1; i <= 100; i++)
+        CHECK(plb_tone_curve_at(&c, i / 100.) >= plb_tone_curve_at(&c, (i - 1) / 100.));
+    CHECK(plb_tone_curve_at(&c, 0) == 0 && plb_tone_curve_at(&c, 1) == 1);
+    return c;
+}
+
+static void tones_below_lines_and_words_are_light(void)
+{
+    bool is_inked[8] = {false};
+    display_list list = page();
+    fill(&list, 10, 10, 40, 40, .4);
+    line(&list, 60, 60, 90, 60);
+    tone_curve beside = curve_of(&list, is_inked);
+    CHECK(fabs(plb_tone_curve_at(&beside, .6) - (.6)) < 1e-9);
+    line(&list, 15, 20, 45, 30);
+    tone_curve below = curve_of(&list, is_inked);
+    CHECK(plb_tone_curve_at(&below, .6) < .3 && plb_tone_curve_at(&below, .6) > .2 && plb_tone_curve_at(&below, .9) > .6);
+    plb_list_free(&list);
+    list = page();
+    fill(&list, 10, 10, 40, 40, .4);
+    fill(&list, 20, 20, .4, 3, 0); /* a letter */
+    tone_curve word = curve_of(&list, is_inked);
+    CHECK(plb_tone_curve_at(&word, .6) < .3);
+    plb_list_free(&list);
+}
+
+static void small_white_words_are_written(void)
+{
+    bool is_inked[8] = {false};
+    display_list list = page();
+    fill(&list, 10, 10, 80, 80, .1);
+    fill(&list, 20, 20, .4, 3, 1);
+    fill(&list, 21, 20, .4, 3, 1);
+    fill(&list, 60, 60, .8, 6, 1);
+    tone_curve c = curve_of(&list, is_inked);
+    CHECK(!is_inked[0] && is_inked[1] && is_inked[2] && !is_inked[3]);
+    CHECK(plb_tone_curve_at(&c, .9) > .8);
+    plb_list_free(&list);
+}
+
+static void paints_that_look_alike_differ_in_manner(void)
+{
+    display_list list = page();
+    plan_options o = hatching();
+    tone_curve plain = plb_tone_curve_plain();
+    paint_manners m;
+    fill(&list, 10, 10, 20, 20, .60);
+    fill(&list, 30, 10, 20, 20, .62);
+    fill(&list, 50, 10, 20, 20, .60);
+    fill(&list, 10, 50, 20, 20, .92);
+    groups g = find_groups(&list, &o);
+    CHECK(plb_manners_find(&list, &o, &plain, g.cells, &m, NULL) && m.n == 3);
+    manner a = plb_manner_of(&m, &list.items.v[0].paint), b = plb_manner_of(&m, &list.items.v[1].paint);
+    manner again = plb_manner_of(&m, &list.items.v[2].paint), light = plb_manner_of(&m, &list.items.v[3].paint);
+    CHECK(a.is_single && b.is_single && a.turn != b.turn && a.turn == again.turn && a.coarser == again.coarser && light.turn == a.turn);
+    free_groups(&g);
+    plb_list_free(&list);
+    list = page();
+    fill(&list, 10, 10, 20, 20, .5);
+    fill(&list, 30, 10, 20, 20, .8);
+    g = find_groups(&list, &o);
+    CHECK(plb_manners_find(&list, &o, &plain, g.cells, &m, NULL) && !plb_manner_of(&m, &list.items.v[0].paint).is_single);
+    free_groups(&g);
+    plb_list_free(&list);
+}
+
+int main(void)
+{
+    RUN(cells_that_adjoin_are_one_field);
+    RUN(a_field_is_hatched_across_its_cells);
+    RUN(charts_and_dots_are_no_cells);
+    RUN(tones_below_lines_and_words_are_light);
+    RUN(small_white_words_are_written);
+    RUN(paints_that_look_alike_differ_in_manner);
+    CHECK_EXIT;
+}
