@@ -16,7 +16,7 @@
 /* In a drawing of at most so many tones all are told apart, for a legend may ask for any two; in one of more those that lie so near to
  * each other, mm. */
 #define FEW_PAINTS 8
-#define NEAR_MM 2.5
+#define NEAR_MM 0.5
 /* An area is broader than so many widths of the pencil, either way: smaller ones have no hatching to be told by. */
 #define AREA_WIDTHS 6.0
 /* Lighter tones are paper. */

@@ -16,7 +16,7 @@ typedef struct {
     bool is_single;  /* one layer, in which the direction is seen */
 } manner;
 
-#define MANNERS_MAX_PAINTS 48
+#define MANNERS_MAX_PAINTS 12 /* more are a scale of tones, no chart */
 typedef struct {
     int n;
     paint paints[MANNERS_MAX_PAINTS];
