@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The store of glyphs: see glyphs.h. It is a hash table of shapes. A shape that no longer has room in it is worked out in a
+ * The store of glyphs (glyphs.h) is a hash table of shapes. A shape that no longer has room in it is worked out in a
  * place of its own, where the next such shape follows.
  */
 #include "plan/letter/glyphs.h"

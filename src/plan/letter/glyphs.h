@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The middle lines of letters, worked out once for each shape: a page of text has thousands of letters and a few dozen
+ * The store keeps the middle lines of letters, worked out once for each shape: a page of text has thousands of letters and a few dozen
  * shapes. A shape is the outline of a part, seen from its first point and put on a lattice finer than any line shows: copies of a letter
  * that differ by rounding alone are one shape. All that is told of a shape follows from the shape alone, so neither the letters before it
  * nor the room that is left change a stroke.

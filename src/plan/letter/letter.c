@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Lettering: see letter.h. Each part of a fill is judged by its thickness: 2 area / perimeter is a stroke's width, and the
+ * See letter.h. Each part of a fill is judged by its thickness: 2 area / perimeter is a stroke's width, and the
  * radius of the largest disc inside is half of that for a stroke but all of it for whatever has one disc that touches
  * every side (discs, squares, triangles: dots and arrowheads). Strokes are then ordered and turned as a right hand
  * letters: from the top, from the left, rings against the clock.

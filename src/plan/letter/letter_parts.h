@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Lettering, step 1: a fill taken apart into what does not touch.
+ * Step 1 of lettering takes a fill apart into what does not touch.
  */
 #ifndef PLB_PLAN_LETTER_LETTER_PARTS_H
 #define PLB_PLAN_LETTER_LETTER_PARTS_H

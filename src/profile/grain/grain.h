@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain: the steps, in the order in which they are taken, and what they share. plumbago(7) tells the
+ * This header lists the steps that capture the grain, in the order in which they are taken, and what they share. plumbago(7) tells the
  * model. Distances are signed, in pixels of 1/300 inch; "relative" darkness is divided by the line's depth.
  */
 #ifndef PLB_PROFILE_GRAIN_GRAIN_H

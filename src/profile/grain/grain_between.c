@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, eleventh step: how lines differ: the joint normal distribution of their own figures.
+ * The eleventh step of the capture measures how lines differ: the joint normal distribution of their own figures.
  */
 #include "profile/grain/grain.h"
 

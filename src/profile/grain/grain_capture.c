@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain: the order of the steps.
+ * This file takes the steps that capture the grain, in their order.
  */
 #include "profile/grain/grain.h"
 

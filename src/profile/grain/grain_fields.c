@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The numbers of the grain in the order of the file, and the bounds within which drawing with them is safe. pencil(5)
+ * This table lists the numbers of the grain in the order of the file, and the bounds within which drawing with them is safe. pencil(5)
  * has the same table.
  */
 #include "profile/grain/grain.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, first step: the pixels of each line with their distance from the centreline, its depth and its
+ * The first step of the capture collects the pixels of each line with their distance from the centreline, its depth and its
  * width.
  */
 #include "profile/grain/grain.h"

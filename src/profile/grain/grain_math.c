@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The little numerical mathematics that the capture of grain needs.
+ * This file has the little numerical mathematics that the capture of grain needs.
  */
 #include "profile/grain/grain_math.h"
 

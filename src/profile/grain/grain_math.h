@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The little numerical mathematics that the capture of grain needs. Matrices are row by row.
+ * This header has the little numerical mathematics that the capture of grain needs. Matrices are row by row.
  */
 #ifndef PLB_PROFILE_GRAIN_GRAIN_MATH_H
 #define PLB_PROFILE_GRAIN_GRAIN_MATH_H

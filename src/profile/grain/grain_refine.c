@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, last step: the correction. Lines drawn with what was measured, measured in the same way, come out a little
+ * The last step of the capture corrects the grain. Lines drawn with what was measured, measured in the same way, come out a little
  * different: rounder flanks, less correlation. What was measured is moved by that difference the other way, once (the
  * bootstrap's correction of a bias: Efron & Tibshirani, An Introduction to the Bootstrap, 1993, chapter 10; in econometrics
  * indirect inference).

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The medial axis of a flat shape (Blum 1967): the centres of the largest discs that fit into it. The shape is scan
+ * The medial axis of a flat shape (Blum 1967) consists of the centres of the largest discs that fit into it. The shape is scan
  * converted, thinned in the order of distance to its edge, and what is left read off as a graph of branches, which is
  * cleaned of what the shape's ends and joints alone have made and then read as strokes of a pen.
  *

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Medial axis: a branch seen from one of its ends. Within the disc of a joint the axis bends towards its middle, and
+ * This file looks at a branch of the medial axis from one of its ends. Within the disc of a joint the axis bends towards its middle, and
  * where two strokes have grown together it is thicker than either; the branch is true only beyond that. There it has
  * a place and a direction from which the joint is made again.
  */

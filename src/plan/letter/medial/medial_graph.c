@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Medial axis, step 3: the thinned raster read off as a graph. Pixels with three or more neighbours, taken together
+ * Step 3 of the medial axis reads the thinned raster off as a graph. Pixels with three or more neighbours, taken together
  * where they touch, are joints; pixels with one are ends; chains of pixels with two are branches. The staircase that
  * pixels make of a slanted line is smoothed away at once.
  */

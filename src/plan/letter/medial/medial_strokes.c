@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Medial axis, step 5: the graph as strokes of a pen. At each joint the axis is thrown away and made again from the
+ * Step 5 of the medial axis turns the graph into strokes of a pen. At each joint the axis is thrown away and made again from the
  * arms that lead there: arms that go on straight into each other are one stroke; the others run on to that stroke, or
  * all to where their lines meet best. Two arms at an angle are one stroke with a corner. Free ends run on to the tip
  * of the shape, less half of what the pen is wide.

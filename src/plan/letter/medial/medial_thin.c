@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Medial axis, step 2: thinning in the order of distance (Pudney 1998, Distance-ordered homotopic thinning). A pixel
+ * Step 2 of the medial axis thins in the order of distance (Pudney 1998, Distance-ordered homotopic thinning). A pixel
  * goes when the shape stays in one piece and keeps its holes without it ("simple", Rosenfeld 1970) and it is not the
  * tip of a line of the axis. Those nearest to the edge go first, so that what is left lies in the middle.
  */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, tenth step: the filter that makes the chain's innovations from white noise. First the covariance
+ * The tenth step of the capture finds the filter that makes the chain's innovations from white noise. First the covariance
  * of the innovations with which the chain's output has the covariance measured (least squares with a ridge), then its
  * spectral root.
  */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, ninth step: the chain. The scores of a column are those of the one before it times a coefficient,
+ * The ninth step of the capture fits the chain. The scores of a column are those of the one before it times a coefficient,
  * the same in all rows, plus innovations. The coefficient has two values, high (smooth) and low (broken), in a Markov
  * chain: lines are alternately smooth and broken over their whole width.
  */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, eighth step: moments of the scores of neighbouring pixels, every line's divided by its roughness.
+ * The eighth step of the capture measures moments of the scores of neighbouring pixels, every line's divided by its roughness.
  */
 #include "profile/grain/grain.h"
 

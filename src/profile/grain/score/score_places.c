@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, seventh step: how the correlation of the scores depends on the distance from the centreline. The
+ * The seventh step of the capture measures how the correlation of the scores depends on the distance from the centreline. The
  * flanks of a line run on more smoothly than its core.
  *
  * Where little is expected many pixels show nothing: their scores are known only to lie below a limit (they are censored).

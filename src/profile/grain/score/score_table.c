@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, fifth step: how dark a pixel is, given how dark it is expected to be there: a table of
+ * The fifth step of the capture tabulates how dark a pixel is, given how dark it is expected to be there: a table of
  * quantiles by expected level.
  */
 #include "profile/grain/grain.h"

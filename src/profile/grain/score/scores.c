@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, sixth step: the normal score of every pixel of the core; how rough each line is; how the spread of
+ * The sixth step of the capture works out the normal score of every pixel of the core; how rough each line is; how the spread of
  * the scores depends on the distance from the centreline.
  */
 #include "profile/grain/grain.h"

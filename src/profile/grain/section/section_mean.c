@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, second step: the mean cross-section of all lines, in relative darkness.
+ * The second step of the capture measures the mean cross-section of all lines, in relative darkness.
  */
 #include "profile/grain/grain.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, third step: the ways in which the section changes slowly along a line. They are the leading
+ * The third step of the capture finds the ways in which the section changes slowly along a line. They are the leading
  * eigenvectors of the covariance of the root of the section after smoothing along the line (principal components). Of the root:
  * nothing is less dark than paper, and where a line is faint it varies less.
  */

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Capture of the grain, fourth step: how the coefficients of the modes vary, between lines and along them.
+ * The fourth step of the capture measures how the coefficients of the modes vary, between lines and along them.
  *
  * Along a line a coefficient is an Ornstein-Uhlenbeck process smoothed by the Gaussian that the capture smooths with: its
  * length is the one whose smoothed process has the correlation measured after smoothing.

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The graphite model's texture: one stroke's part of a field of grain.
+ * The graphite model's texture is one stroke's part of a field of grain.
  */
 #ifndef PLB_STROKE_TEXTURE_GRAPHITE_GRAIN_FIELD_H
 #define PLB_STROKE_TEXTURE_GRAPHITE_GRAIN_FIELD_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The graphite model: grain as measured on real lines (plumbago(7)).
+ * The graphite model draws grain as measured on real lines (plumbago(7)).
  */
 #include "base/number/units.h"
 #include "stroke/texture/models.h"

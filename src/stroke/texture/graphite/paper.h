@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The paper's tooth, for this folder only: a field of heights that belongs to the page, so that all strokes skip over the
+ * The paper's tooth, for this folder only, is a field of heights that belongs to the page, so that all strokes skip over the
  * same hollows and catch the same peaks.
  */
 #ifndef PLB_STROKE_TEXTURE_GRAPHITE_PAPER_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The graphite model's tables: what a captured grain needs so that drawing is additions and look-ups.
+ * This file makes the graphite model's tables, which a captured grain needs so that drawing is additions and look-ups.
  * Input: profile.grain. Output: grain_tables.
  */
 #include "base/array.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Noise prepared once for all strokes of a pencil. A stroke reads it at random addresses of its own.
+ * This file prepares noise once for all strokes of a pencil. A stroke reads it at random addresses of its own.
  * Input: the profile's filters, chain and slow modes; the paper. Output: grain_tables.noise, .slow.
  *
  * The grain's innovations are white noise through a filter of GRAIN_TAPS columns. A column of white noise is a window of one

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The graphite model's texture (plumbago(7)): what one stroke makes of its pencil's tables.
+ * This file makes one stroke's grain from its pencil's tables (plumbago(7)).
  * Input: the length of the path in pixels of 1/300 inch; a prepared pencil. Output: a grain: a field of normal numbers in the
  * strip frame, and per place the darkness to expect. texture_shade.c reads the darkness of points beside the path off them.
  *

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The paper's tooth: a field of heights over the page (Sousa & Buchanan, Computer Graphics Forum 19(1), 2000, take a
+ * The paper's tooth is a field of heights over the page (Sousa & Buchanan, Computer Graphics Forum 19(1), 2000, take a
  * height field likewise; theirs is scanned, this one is drawn by lot).
  * Input: the kind of paper, a seed, places in mm on the page. Output: heights with mean 0 and variance 1, normal.
  *

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The graphite model's darkness at points beside the path (plumbago(7)).
+ * This file gives the graphite model's darkness at points beside the path (plumbago(7)).
  * Input: a stroke's grain; rows of evenly spaced points of the page, each with its place in the strip frame. Output: the
  * darkness of each.
  *

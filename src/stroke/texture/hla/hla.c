@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The papers' model: random greys, the co-occurrence matrix, one pass of a blur (001 section 3.2).
+ * The papers' model takes random greys, applies the co-occurrence matrix and blurs once (001 section 3.2).
  */
 #include "base/number/units.h"
 #include "stroke/pencil.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The papers' texture: a strip of greys (001 section 3.2).
+ * The papers' texture is a strip of greys (001 section 3.2).
  */
 #ifndef PLB_STROKE_TEXTURE_HLA_STRIP_H
 #define PLB_STROKE_TEXTURE_HLA_STRIP_H

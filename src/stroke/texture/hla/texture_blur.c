@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stroke, stage 5: one pass of a 3 × 3 Gaussian (001 section 3.2 and figure 5; thesis section 4.2), weights
+ * Stage 5 of a stroke blurs it by one pass of a 3 × 3 Gaussian (001 section 3.2 and figure 5; thesis section 4.2), weights
  * 1 2 1 / 2 4 2 / 1 2 1 over 16. The paper around the line takes part: it softens the rim.
  */
 #include "stroke/texture/hla/strip.h"

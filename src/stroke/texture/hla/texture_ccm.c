@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stroke, stage 4: the co-occurrence matrix (001 section 3.2 and figure 4; thesis section 4.2 and table 4.1).
+ * Stage 4 of a stroke applies the co-occurrence matrix (001 section 3.2 and figure 4; thesis section 4.2 and table 4.1).
  * Input: a filled strip. Output: the same strip in which neighbours that the matrix never saw have been replaced.
  *
  * For each pixel of the line and each of the other eight in its 3 × 3 neighbourhood: when the pair of greys does not

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stroke, stage 3: random greys (001 section 3.2 and figure 3; thesis section 4.2 and table 4.1, "grey filled").
+ * Stage 3 of a stroke fills it with random greys (001 section 3.2 and figure 3; thesis section 4.2 and table 4.1, "grey filled").
  * Input: the length of the path in pixels of the profile. Output: a strip whose
  *
  *   - centre row replicates the centre histogram in [min_mid, max_mid],

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The papers' strip as a texture to map: greys, read between their pixels by bilinear interpolation. Half a pixel of its
+ * This file gives the papers' strip as a texture to map: greys, read between their pixels by bilinear interpolation. Half a pixel of its
  * margin, into which the blur has run, and one more belong to the line's ends.
  */
 #include "stroke/texture/hla/strip.h"
