@@ -6,6 +6,7 @@
 #include "stroke/stroke.h"
 
 #include <stdio.h>
+#include <string.h>
 
 #define WIDTH 60.0
 #define HEIGHT 34.0
@@ -28,7 +29,9 @@ static void print_curve(const arm_model *arm, const stroke_options *o, uint64_t 
 int main(int argc, char **argv)
 {
     stroke_options o = {.seed = 1};
-    const arm_model *arm = argc == 2 ? plb_arm_lookup(argv[1]) : &plb_arm_jerk;
+    const arm_model *arm = &plb_arm_jerk;
+    for (size_t i = 0; argc == 2 && (arm = plb_arm_at(i)) && strcmp(arm->name, argv[1]) != 0;)
+        i++;
     if (!arm)
         return 2;
     printf("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%gmm\" height=\"%gmm\" viewBox=\"0 0 %g %g\" fill=\"none\" stroke=\"#000\" "

@@ -36,9 +36,8 @@ struct arm_model {
     void (*follow)(const base_line *b, const stroke *s, double length, const stroke_options *o, control *c, size_t n);
 };
 
-/* arms.c: the table. Row i, NULL past the last; the row of that name, NULL when there is none. */
+/* arms.c: the table. Row i; NULL past the last. */
 const arm_model *plb_arm_at(size_t i);
-const arm_model *plb_arm_lookup(const char *name);
 /* The rows, each in a file of its own. */
 extern const arm_model plb_arm_hand, plb_arm_jerk, plb_arm_spring, plb_arm_lognormal, plb_arm_torque;
 

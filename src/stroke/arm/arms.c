@@ -4,19 +4,9 @@
  */
 #include "stroke/arm/arm.h"
 
-#include <string.h>
-
 static const arm_model *const arms[] = {&plb_arm_hand, &plb_arm_jerk, &plb_arm_spring, &plb_arm_lognormal, &plb_arm_torque};
 
 const arm_model *plb_arm_at(size_t i)
 {
     return i < sizeof arms / sizeof *arms ? arms[i] : NULL;
-}
-
-const arm_model *plb_arm_lookup(const char *name)
-{
-    const arm_model *arm;
-    for (size_t i = 0; (arm = plb_arm_at(i)) && strcmp(arm->name, name) != 0;)
-        i++;
-    return arm;
 }

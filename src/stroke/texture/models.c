@@ -1,24 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * The table of line models: see models.h.
+ * This file has the table of line models (models.h).
  */
 #include "stroke/texture/models.h"
-
-#include <string.h>
 
 static const line_model *const models[] = {&plb_model_hla, &plb_model_graphite};
 
 const line_model *plb_model_at(size_t i)
 {
     return i < sizeof models / sizeof *models ? models[i] : NULL;
-}
-
-const line_model *plb_model_lookup(const char *name)
-{
-    const line_model *model;
-    for (size_t i = 0; (model = plb_model_at(i)) && strcmp(model->name, name) != 0;)
-        i++;
-    return model;
 }
 
 const line_model *plb_model_of(const stroke_options *o)

@@ -31,9 +31,8 @@ struct line_model {
     bool (*make)(const path_samples *path, const stroke *s, const stroke_options *o, texture_buffers *b, shading *out, error *err);
 };
 
-/* models.c: the table. Row i, NULL past the last; the row of that name, NULL when there is none. */
+/* models.c: the table. Row i; NULL past the last. */
 const line_model *plb_model_at(size_t i);
-const line_model *plb_model_lookup(const char *name);
 /* Gives the model and the arm that the options mean. */
 const line_model *plb_model_of(const stroke_options *o);
 const arm_model *plb_arm_of(const stroke_options *o);
