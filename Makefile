@@ -144,7 +144,8 @@ tap_base  = $(patsubst src/%.c,$(O)/$(tap_twice)%.o,$(call below,src/base,*.c) $
 tap_common = $(patsubst %,$(O)/tap/common/%.o,$(1))
 script_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/cairoscript*.c)) $(call tap_common,tap_area)
 rewrite_obj = $(patsubst src/%.c,$(O)/%.o,$(call below,src/tap/svg/rewrite,*.c)) $(call tap_common,tap_colour)
-svg_obj   = $(O)/tap/svg/tap_svg.o $(O)/tap/svg/missing_glyphs.o $(script_obj) $(rewrite_obj) $(call tap_common,tap_memory tap_omissions tap_page) $(tap_base)
+losses_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/losses/*.c))
+svg_obj   = $(O)/tap/svg/tap_svg.o $(losses_obj) $(script_obj) $(rewrite_obj) $(call tap_common,tap_memory tap_page tap_stream) $(tap_base)
 plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain/plain_*.c)) $(call tap_common,tap_area tap_colour tap_page)
 tap_obj   = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tap/ps/% src/tap/model/%,$(call below,src/tap,*.c)))
 $(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/flags
@@ -158,14 +159,14 @@ $(O)/again/%.o: src/%.c $(O)/flags
 $(O)/tap-svg: $(svg_obj)
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_tap) $(filter %.o,$^) $(shell pkg-config --libs $(packages_tap)) -lm -pthread -o $@
-$(O)/tap-plain: $(O)/tap/plain/tap_plain.o $(plain_obj) $(tap_base)
+$(O)/tap-plain: $(O)/tap/plain/tap_plain.o $(call tap_common,tap_stream) $(plain_obj) $(tap_base)
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_tap) $(filter %.o,$^) $(shell pkg-config --libs $(packages_plain)) -lm -o $@
 
 # All of this one is ours, so it is built, also for the sanitizers, as the library is.
 ps_obj = $(patsubst src/%.c,$(O)/%.o,$(filter-out %/tap_ps.c,$(call below,src/tap/ps,*.c)) src/tap/common/scan.c)
 ps_base = $(patsubst src/%.c,$(O)/%.o,$(call below,src/base,*.c) $(call below,src/list,*.c))
-$(O)/tap-ps: $(O)/tap/ps/tap_ps.o $(ps_obj) $(ps_base)
+$(O)/tap-ps: $(O)/tap/ps/tap_ps.o $(call tap_common,tap_stream) $(ps_obj) $(ps_base)
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_ALL) $(filter %.o,$^) -lm -o $@
 

@@ -14,7 +14,6 @@
 #define TAP_TURN_DEGREES 19.3717       /* no drawing is likely to hold this angle */
 #define TAP_MM_PER_PX (25.4 / 96)      /* CSS Values 3, section 6.2 */
 #define TAP_PX_MAX (100e3 / TAP_MM_PER_PX) /* 100 m */
-#define TAP_MAX_BYTES ((size_t)256 << 20) /* of the document, unpacked */
 #define TAP_LIBXML_TEXT ((size_t)10000000) /* libxml2 refuses longer attributes unless told otherwise */
 
 typedef struct {

@@ -5,14 +5,11 @@
  * written: tap-svg is to be asked. It links no more than libxml2, so that it starts soon.
  */
 #include "list/text/tap_status.h"
+#include "tap/common/tap_stream.h"
 #include "tap/plain/plain_svg.h"
 
-#include <errno.h>
 #include <stdio.h>
-#include <stdlib.h>
 #include <unistd.h>
-
-#define PART_BYTES ((size_t)1 << 18)
 
 static void __attribute__((noreturn)) quit(int status, const char *what, const char *which)
 {
@@ -24,38 +21,6 @@ static void __attribute__((noreturn)) quit(int status, const char *what, const c
     _exit(status);
 }
 
-/* Reads the whole document. */
-static char *read_document(size_t *size)
-{
-    char *all = NULL;
-    size_t capacity = 0;
-    for (*size = 0;;) {
-        if (capacity - *size < PART_BYTES) {
-            capacity = capacity ? capacity * 2 : 2 * PART_BYTES;
-            char *more = *size > TAP_MAX_BYTES ? NULL : realloc(all, capacity);
-            if (!more)
-                quit(TAP_REFUSED, "not plain: ", "it is too large");
-            all = more;
-        }
-        ssize_t n = read(STDIN_FILENO, all + *size, PART_BYTES);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n <= 0)
-            return all;
-        *size += (size_t)n;
-    }
-}
-
-static void put(const char *text, size_t size)
-{
-    for (size_t done = 0; done < size;) {
-        ssize_t n = write(STDOUT_FILENO, text + done, size - done);
-        if (n < 0 && errno != EINTR)
-            _exit(TAP_WRITE); /* the reader went away: nobody is left to tell */
-        done += n < 0 ? 0 : (size_t)n;
-    }
-}
-
 int main(int argc, char **argv)
 {
     static plain_list list;
@@ -64,9 +29,10 @@ int main(int argc, char **argv)
     (void)argv;
     if (argc > 1)
         quit(TAP_USAGE, "usage: ", "tap-plain <drawing.svg >list");
-    char *text = read_document(&size);
+    char *text = plb_tap_read_all(&size);
+    if (!text)
+        quit(TAP_REFUSED, "not plain: ", "it is too large");
     if (!plb_plain_svg(text, size, &list, why))
         quit(TAP_REFUSED, "not plain: ", why);
-    put(list.text.v, list.text.n);
-    _exit(TAP_DONE); /* no time for tidying up */
+    _exit(plb_tap_put(list.text.v, list.text.n) ? TAP_DONE : TAP_WRITE); /* no time for tidying up */
 }

@@ -15,10 +15,11 @@
  * cairo's own matrix, because librsvg takes the latter away again inside groups with opacity.
  */
 #include "list/text/tap_status.h"
-#include "tap/common/tap_omissions.h"
+#include "tap/svg/losses/tap_omissions.h"
 #include "tap/common/tap_page.h"
+#include "tap/common/tap_stream.h"
 #include "tap/svg/cairoscript.h"
-#include "tap/svg/missing_glyphs.h"
+#include "tap/svg/losses/missing_glyphs.h"
 #include "tap/svg/rewrite/rewrite.h"
 
 #include <cairo-script.h>
@@ -27,7 +28,6 @@
 #include <libxml/tree.h>
 #include <librsvg/rsvg.h>
 
-#include <errno.h>
 #include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -66,12 +66,8 @@ static void __attribute__((noreturn)) quit_malformed(const char *message)
 static bool put(void *closure, const char *data, size_t n)
 {
     (void)closure;
-    for (size_t done = 0; done < n;) {
-        ssize_t part = write(STDOUT_FILENO, data + done, n - done);
-        if (part < 0 && errno != EINTR)
-            _exit(TAP_WRITE); /* the reader went away: nobody is left to tell */
-        done += part < 0 ? 0 : (size_t)part;
-    }
+    if (!plb_tap_put(data, n))
+        _exit(TAP_WRITE);
     return true;
 }
 
@@ -137,14 +133,11 @@ static GByteArray *read_stream(GInputStream *from)
 
 static GByteArray *read_document(void)
 {
-    GByteArray *all = g_byte_array_new();
-    ssize_t n;
-    unsigned char part[1 << 16];
-    while ((n = read(STDIN_FILENO, part, sizeof part)) > 0) {
-        if (all->len + (size_t)n > TAP_MAX_BYTES)
-            quit(TAP_LIMIT, "the document is larger than %zu MB", TAP_MAX_BYTES >> 20);
-        g_byte_array_append(all, part, (guint)n);
-    }
+    size_t size;
+    char *text = plb_tap_read_all(&size);
+    if (!text || size > TAP_MAX_BYTES)
+        quit(TAP_LIMIT, "the document is larger than %zu MB", TAP_MAX_BYTES >> 20);
+    GByteArray *all = g_byte_array_new_take((guint8 *)text, size);
     if (all->len < 2 || all->data[0] != 0x1f || all->data[1] != 0x8b)
         return all;
     GInputStream *packed = g_memory_input_stream_new_from_data(all->data, (gssize)all->len, NULL);

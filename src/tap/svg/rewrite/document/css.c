@@ -357,13 +357,32 @@ GHashTable *plb_css_declared(const css_sheet *sheet, const xmlNode *n)
     return all;
 }
 
+/* Copies a value of the table, without "!important"; NULL: none. */
+static char *copy_value(GHashTable *all, const char *property)
+{
+    const char *value = g_hash_table_lookup(all, property);
+    const char *mark = value ? strchr(value, '!') : NULL;
+    return value ? g_strstrip(mark ? g_strndup(value, (gsize)(mark - value)) : g_strdup(value)) : NULL;
+}
+
 char *plb_css_value(const css_sheet *sheet, const xmlNode *n, const char *property)
 {
     GHashTable *all = plb_css_declared(sheet, n);
-    const char *value = g_hash_table_lookup(all, property);
-    const char *mark = value ? strchr(value, '!') : NULL;
-    char *copy = value ? g_strstrip(mark ? g_strndup(value, (gsize)(mark - value)) : g_strdup(value)) : NULL;
+    char *copy = copy_value(all, property);
     g_hash_table_destroy(all);
+    return copy;
+}
+
+char *plb_css_in_style(const xmlNode *n, const char *property)
+{
+    char *style = plb_node_get(n, "style");
+    if (!style)
+        return NULL;
+    GHashTable *all = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free);
+    declare(all, style);
+    char *copy = copy_value(all, property);
+    g_hash_table_destroy(all);
+    g_free(style);
     return copy;
 }
 

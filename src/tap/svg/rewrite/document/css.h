@@ -22,6 +22,8 @@ void plb_css_free(css_sheet *sheet);
 GHashTable *plb_css_declared(const css_sheet *sheet, const xmlNode *n);
 /* Gives the winning value of one property on the element itself, without "!important"; NULL: none. The caller frees it. */
 char *plb_css_value(const css_sheet *sheet, const xmlNode *n, const char *property);
+/* Gives what the element's style attribute alone says of a property, without "!important"; NULL: nothing. */
+char *plb_css_in_style(const xmlNode *n, const char *property);
 /* Gives the winning value on the element or the nearest ancestor that has one. */
 char *plb_css_inherited(const css_sheet *sheet, const xmlNode *n, const char *property);
 

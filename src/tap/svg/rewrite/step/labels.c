@@ -25,26 +25,11 @@ typedef struct {
 
 /* ---- what the HTML says ------------------------------------------------------------------------------------- */
 
-static char *style_of(const xmlNode *n, const char *property)
-{
-    char *style = plb_node_get(n, "style"), *value = NULL;
-    size_t length = strlen(property);
-    char **each = g_strsplit(style ? style : "", ";", 0);
-    for (char **one = each; *one && !value; one++) {
-        const char *at = g_strstrip(*one);
-        if (!strncmp(at, property, length) && at[length + strspn(at + length, " ")] == ':')
-            value = g_strstrip(g_strdup(strchr(at, ':') + 1));
-    }
-    g_strfreev(each);
-    g_free(style);
-    return value;
-}
-
 /* Gives a property that `n` or the nearest element above it, up to `top`, has in its style. */
 static char *said_above(const xmlNode *n, const xmlNode *top, const char *property)
 {
     for (; n; n = n == top ? NULL : n->parent) {
-        char *value = n->type == XML_ELEMENT_NODE ? style_of(n, property) : NULL;
+        char *value = n->type == XML_ELEMENT_NODE ? plb_css_in_style(n, property) : NULL;
         if (value)
             return value;
     }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT */
-#include "tap/svg/missing_glyphs.h"
+#include "tap/svg/losses/missing_glyphs.h"
 
 #include "tap/common/tap_page.h"
+#include "tap/svg/rewrite/document/node.h"
 
 #include <fontconfig/fontconfig.h>
 #include <glib.h>
@@ -20,23 +21,12 @@ static bool is_drawn(gunichar c)
            type != G_UNICODE_ENCLOSING_MARK;
 }
 
-static bool is_text(const xmlNode *n) { return n->type == XML_ELEMENT_NODE && !strcmp((const char *)n->name, "text"); }
-
-/* Gives the next node in document order. */
-static xmlNode *next_node(xmlNode *n)
-{
-    if (n->type == XML_ELEMENT_NODE && n->children)
-        return n->children;
-    while (n && !n->next)
-        n = n->parent;
-    return n ? n->next : NULL;
-}
-
 /* Adds the characters of all text elements to a set. */
 static void collect(xmlDoc *doc, FcCharSet *used)
 {
-    for (xmlNode *n = xmlDocGetRootElement(doc); n; n = next_node(n)) {
-        char *content = is_text(n) ? (char *)xmlNodeGetContent(n) : NULL;
+    xmlNode *top = xmlDocGetRootElement(doc);
+    for (xmlNode *n = top; n; n = plb_node_next(n, top)) {
+        char *content = plb_node_is(n, "text") ? (char *)xmlNodeGetContent(n) : NULL;
         for (const char *at = content; at && *at; at = g_utf8_next_char(at))
             if (is_drawn(g_utf8_get_char(at)))
                 FcCharSetAddChar(used, g_utf8_get_char(at));

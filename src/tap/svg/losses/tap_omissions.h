@@ -2,8 +2,8 @@
  *
  * Counts what the tap leaves out of an SVG document on purpose, where the document would draw it.
  */
-#ifndef PLB_TAP_COMMON_TAP_OMISSIONS_H
-#define PLB_TAP_COMMON_TAP_OMISSIONS_H
+#ifndef PLB_TAP_SVG_LOSSES_TAP_OMISSIONS_H
+#define PLB_TAP_SVG_LOSSES_TAP_OMISSIONS_H
 
 #include "list/omissions.h"
 

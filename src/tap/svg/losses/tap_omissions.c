@@ -3,9 +3,11 @@
  * Counts what is left out as a reader sees the drawing: definitions count where they are used and as often, a picture
  * that serves as a mask counts as the mask, and a mask upon nothing but a picture does not count beside it.
  */
-#include "tap/common/tap_omissions.h"
+#include "tap/svg/losses/tap_omissions.h"
 
 #include "tap/common/tap_page.h"
+#include "tap/svg/rewrite/document/css.h"
+#include "tap/svg/rewrite/document/node.h"
 
 #include <glib.h>
 #include <libxml/parser.h>
@@ -24,74 +26,20 @@ typedef struct {
     unsigned long visits;
 } walk;
 
-static bool is(const xmlNode *n, const char *name) { return n->type == XML_ELEMENT_NODE && !strcmp((const char *)n->name, name); }
-
-static bool is_any(const xmlNode *n, const char *const names[])
-{
-    while (*names && !is(n, *names))
-        names++;
-    return *names != NULL;
-}
-
-static const xmlAttr *attribute(const xmlNode *n, const char *name)
-{
-    const xmlAttr *a = n->properties;
-    while (a && strcmp((const char *)a->name, name) != 0)
-        a = a->next;
-    return a;
-}
-
-/* Gives the text of an attribute, to be freed with xmlFree; NULL: there is none. */
-static char *value(const xmlNode *n, const char *name)
-{
-    const xmlAttr *a = attribute(n, name);
-    return a ? (char *)xmlNodeListGetString(n->doc, a->children, 1) : NULL;
-}
-
-/* Finds the declaration of a property in a style attribute and gives the start of its value; NULL: there is none. */
-static char *declared(char *style, const char *property)
-{
-    size_t n = strlen(property);
-    for (char *at = style; at; at = strchr(at, ';')) {
-        at += strspn(at, "; \t\r\n");
-        if (!strncmp(at, property, n) && at[n + strspn(at + n, " \t")] == ':')
-            return strchr(at, ':') + 1;
-    }
-    return NULL;
-}
-
 /* Gives the value of a property, by style or attribute; to be freed; NULL: not said. */
 static char *property(const xmlNode *n, const char *name)
 {
-    char *style = value(n, "style"), *at = style ? declared(style, name) : NULL;
-    char *result = at ? g_strndup(at + strspn(at, " \t\r\n"), strcspn(at + strspn(at, " \t\r\n"), ";")) : NULL;
-    char *plain = result ? NULL : value(n, name);
-    if (plain)
-        result = g_strdup(plain);
-    xmlFree(style);
-    xmlFree(plain);
-    return result;
-}
-
-/* Gives the element that "#name", or the name in "url(#name)", stands for. */
-static xmlNode *referred(const walk *w, const char *text)
-{
-    const char *hash = text ? strchr(text, '#') : NULL;
-    if (!hash)
-        return NULL;
-    char *name = g_strndup(hash + 1, strcspn(hash + 1, ")'\" \t\r\n"));
-    xmlNode *n = g_hash_table_lookup(w->by_id, name);
-    g_free(name);
-    return n;
+    char *value = plb_css_in_style(n, name);
+    return value ? value : plb_node_get(n, name);
 }
 
 /* Tells whether the element has a mask or a filter (`kind`) that the document defines. */
 static bool has(const walk *w, const xmlNode *n, const char *kind)
 {
     char *text = property(n, kind);
-    const xmlNode *target = text && !strncmp(text, "url", 3) ? referred(w, text) : NULL;
+    const xmlNode *target = text && !strncmp(text, "url", 3) ? plb_node_referred(w->by_id, text) : NULL;
     g_free(text);
-    return target && is(target, kind);
+    return target && plb_node_is(target, kind);
 }
 
 static bool is_displayed(const xmlNode *n)
@@ -105,10 +53,10 @@ static bool is_displayed(const xmlNode *n)
 /* Tells whether a switch passes the element over, because the element asks for what librsvg does not have. */
 static bool is_passed_over(const xmlNode *n)
 {
-    char *features = value(n, "requiredFeatures"), *extensions = value(n, "requiredExtensions");
+    char *features = plb_node_get(n, "requiredFeatures"), *extensions = plb_node_get(n, "requiredExtensions");
     bool passed = (features && strstr(features, "Extensibility")) || extensions;
-    xmlFree(features);
-    xmlFree(extensions);
+    g_free(features);
+    g_free(extensions);
     return n->type != XML_ELEMENT_NODE || passed;
 }
 
@@ -116,7 +64,7 @@ static bool visit(walk *w, xmlNode *n, int depth);
 
 static bool visit_children(walk *w, xmlNode *n, int depth)
 {
-    bool shows = false, one = is(n, "switch");
+    bool shows = false, one = plb_node_is(n, "switch");
     for (xmlNode *c = n->children; c; c = c->next) {
         if (is_passed_over(c))
             continue;
@@ -129,26 +77,26 @@ static bool visit_children(walk *w, xmlNode *n, int depth)
 
 static bool visit_used(walk *w, const xmlNode *n, int depth)
 {
-    char *href = value(n, "href");
-    xmlNode *target = referred(w, href);
-    xmlFree(href);
+    char *href = plb_node_get(n, "href");
+    xmlNode *target = plb_node_referred(w->by_id, href);
+    g_free(href);
     if (!target)
         return false;
-    return is(target, "symbol") ? visit_children(w, target, depth + 1) : visit(w, target, depth + 1);
+    return plb_node_is(target, "symbol") ? visit_children(w, target, depth + 1) : visit(w, target, depth + 1);
 }
 
 /* Counts the omissions of an element without its own mask and filter. */
 static bool visit_inside(walk *w, xmlNode *n, int depth)
 {
     static const char *const groups[] = {"svg", "g", "a", "switch", NULL};
-    if (is(n, "image"))
+    if (plb_node_is(n, "image"))
         w->lost.n[OMISSION_IMAGE]++;
-    else if (is(n, "foreignObject"))
+    else if (plb_node_is(n, "foreignObject"))
         w->lost.n[OMISSION_FOREIGN]++;
-    else if (is(n, "use"))
+    else if (plb_node_is(n, "use"))
         return visit_used(w, n, depth);
     else
-        return !is_any(n, groups) || visit_children(w, n, depth);
+        return !plb_node_is_any(n, groups) || visit_children(w, n, depth);
     return false;
 }
 
@@ -157,7 +105,7 @@ static bool visit(walk *w, xmlNode *n, int depth)
 {
     static const char *const unseen[] = {"defs", "symbol", "clipPath", "mask", "pattern", "marker", "filter", "linearGradient",
                                          "radialGradient", "style", "script", "title", "desc", "metadata", "namedview", NULL};
-    if (depth > MAX_DEPTH || ++w->visits > MAX_VISITS || n->type != XML_ELEMENT_NODE || is_any(n, unseen) || !is_displayed(n))
+    if (depth > MAX_DEPTH || ++w->visits > MAX_VISITS || n->type != XML_ELEMENT_NODE || plb_node_is_any(n, unseen) || !is_displayed(n))
         return false;
     if (!visit_inside(w, n, depth))
         return false;
@@ -178,26 +126,12 @@ static unsigned long rules(const char *sheet, const char *property)
     return n;
 }
 
-static xmlNode *next_node(xmlNode *n)
+/* Counts what style sheets ask for; a rule counts once, whatever it applies to. */
+static void look_through_sheets(walk *w, xmlDoc *doc)
 {
-    if (n->type == XML_ELEMENT_NODE && n->children)
-        return n->children;
-    while (n && !n->next)
-        n = n->parent;
-    return n ? n->next : NULL;
-}
-
-/* Collects names and style sheets; a rule counts once, whatever it applies to. */
-static void look_through(walk *w, xmlDoc *doc)
-{
-    for (xmlNode *n = xmlDocGetRootElement(doc); n; n = next_node(n)) {
-        if (n->type != XML_ELEMENT_NODE)
-            continue;
-        char *id = value(n, "id");
-        if (id && !g_hash_table_contains(w->by_id, id))
-            g_hash_table_insert(w->by_id, g_strdup(id), n);
-        xmlFree(id);
-        char *sheet = is(n, "style") ? (char *)xmlNodeGetContent(n) : NULL;
+    xmlNode *top = xmlDocGetRootElement(doc);
+    for (xmlNode *n = top; n; n = plb_node_next(n, top)) {
+        char *sheet = plb_node_is(n, "style") ? (char *)xmlNodeGetContent(n) : NULL;
         w->lost.n[OMISSION_MASK] += sheet ? rules(sheet, "mask") : 0;
         w->lost.n[OMISSION_FILTER] += sheet ? rules(sheet, "filter") : 0;
         xmlFree(sheet);
@@ -217,8 +151,8 @@ omissions plb_tap_count_omissions(const char *text, size_t size)
     xmlDoc *doc = may_lose(text, size) ? xmlReadMemory(text, (int)size, NULL, NULL, options) : NULL;
     if (!doc)
         return w.lost;
-    w.by_id = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, NULL);
-    look_through(&w, doc);
+    w.by_id = plb_node_ids(doc);
+    look_through_sheets(&w, doc);
     if (xmlDocGetRootElement(doc))
         visit(&w, xmlDocGetRootElement(doc), 0);
     g_hash_table_destroy(w.by_id);

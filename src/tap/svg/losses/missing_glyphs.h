@@ -2,8 +2,8 @@
  *
  * Characters that no font at hand can draw: Pango would letter them as boxes with their numbers.
  */
-#ifndef PLB_TAP_SVG_MISSING_GLYPHS_H
-#define PLB_TAP_SVG_MISSING_GLYPHS_H
+#ifndef PLB_TAP_SVG_LOSSES_MISSING_GLYPHS_H
+#define PLB_TAP_SVG_LOSSES_MISSING_GLYPHS_H
 
 #include <stddef.h>
 
