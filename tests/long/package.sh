@@ -34,6 +34,12 @@ for library in $(dpkg-deb --fsys-tarfile libplumbago-dev_*.deb | tar -xO --wildc
 done
 report "libplumbago-dev brings the libraries of plumbago.pc" "$missing"
 
+# libtiff is loaded when a TIFF is written, so nothing but the rules asks for its package.
+for package in plumbago libplumbago0; do
+    depends=$(dpkg-deb -f "$package"_*.deb Depends)
+    if [[ " $depends" == *" libtiff"[0-9]* ]]; then ok "$package brings libtiff"; else fail "$package brings libtiff" "$depends"; fi
+done
+
 # As installed, in a folder: the program finds its taps beside it, the thumbnailer makes a square picture.
 mkdir root && for p in *.deb; do dpkg-deb -x "$p" root; done
 export PATH=$PWD/root/usr/bin:$PATH
