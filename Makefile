@@ -172,7 +172,7 @@ $(O)/tap-ps: $(O)/tap/ps/tap_ps.o $(call tap_common,tap_stream) $(ps_obj) $(ps_b
 
 # So is this one.
 model_obj = $(patsubst src/%.c,$(O)/%.o,$(filter-out %/tap_model.c,$(call below,src/tap/model,*.c)))
-$(O)/tap-model: $(O)/tap/model/tap_model.o $(model_obj) $(ps_base)
+$(O)/tap-model: $(O)/tap/model/tap_model.o $(call tap_common,tap_stream) $(model_obj) $(ps_base)
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_ALL) $(filter %.o,$^) -lm -o $@
 

@@ -9,16 +9,13 @@
 #include "list/text/tap_status.h"
 #include "base/number/number.h"
 #include "tap/common/tap_memory.h"
+#include "tap/common/tap_stream.h"
 #include "tap/model/model.h"
 
-#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
-
-#define PART_BYTES ((size_t)1 << 18)
-#define MAX_BYTES ((size_t)256 << 20)
 
 static void __attribute__((noreturn)) quit(int status, const char *text)
 {
@@ -27,38 +24,10 @@ static void __attribute__((noreturn)) quit(int status, const char *text)
     _exit(status);
 }
 
-/* Reads the whole file into a block that lives as long as the process. */
-static char *read_file(size_t *size)
-{
-    char *all = NULL;
-    size_t capacity = 0;
-    for (*size = 0;;) {
-        if (capacity - *size < PART_BYTES) {
-            capacity = capacity ? capacity * 2 : 2 * PART_BYTES;
-            char *more = *size > MAX_BYTES ? NULL : realloc(all, capacity);
-            if (!more)
-                quit(TAP_LIMIT, "the file is too large");
-            all = more;
-        }
-        ssize_t n = read(STDIN_FILENO, all + *size, PART_BYTES);
-        if (n < 0 && errno == EINTR)
-            continue;
-        if (n <= 0)
-            return all;
-        *size += (size_t)n;
-    }
-}
-
 static bool put(void *closure, const char *data, size_t n)
 {
     (void)closure;
-    for (size_t done = 0; done < n;) {
-        ssize_t written = write(STDOUT_FILENO, data + done, n - done);
-        if (written < 0 && errno != EINTR)
-            return false; /* the reader went away: nobody is left to tell */
-        done += written < 0 ? 0 : (size_t)written;
-    }
-    return true;
+    return plb_tap_put(data, n);
 }
 
 static int status_of(error_kind kind)
@@ -142,7 +111,9 @@ int main(int argc, char **argv)
     int format = read_word(argv[1], formats, MODEL_FORMATS);
     for (int i = 2; i < argc; i++)
         read_option(argv[i], &s);
-    char *data = read_file(&size);
+    char *data = plb_tap_read_all(&size);
+    if (!data)
+        quit(TAP_LIMIT, "the file is too large");
     if (!plb_model_read(data, size, (model_format)format, &m, &why))
         quit(status_of(why.kind), why.text);
     free(data);
