@@ -226,6 +226,11 @@ check-sanitizers:
 	    echo "BUILD=$$build $$with" && $(MAKE) --no-print-directory BUILD=$$build $$with check-only || failed="$$failed $$build ($$with)"; \
 	done; done; [ -z "$$failed" ] || { echo "failed:$$failed"; exit 1; }
 
+# The table of src/api/pencil/tone_known.c, to be put there when techniques, pencils or the page's ink change.
+.PHONY: tones
+tones: $(O)/tests/tools/tone_scale
+	$(Q)$<
+
 # clang-tidy and cppcheck (Debian: clang-tidy cppcheck), as tests/lint says.
 .PHONY: lint
 lint: all
@@ -366,6 +371,7 @@ help:
 	@echo 'make figures    the figures of the papers, in build/figures'
 	@echo 'make fidelity   do drawings show what the print shows? a table and contact sheets'
 	@echo 'make realism    can a machine observer tell drawn lines from scanned ones?'
+	@echo 'make tones      the scales of tones of the eight pencils, as src/api/pencil keeps them'
 	@echo 'make profiles   captures the eight pencils anew, where the scans are at hand'
 	@echo 'make install    to $$(DESTDIR)$$(PREFIX); uninstall takes it away'
 	@echo 'make package    Debian packages, in build/package (Debian: debhelper)'

@@ -61,7 +61,7 @@ static bool plan(plb_drawing *d, const log_sink *say, error *err)
     const plb_options *o = d->options;
     plan_options options = plb_api_plan_options(o);
     return fit(&d->list, o, err) &&
-           (!plb_api_needs_tone(&d->list, &options) || plb_api_measure_tone(o, &options, err)) &&
+           (!plb_api_needs_tone(&d->list, &options) || plb_api_find_tone(o, &options, err)) &&
            plb_plan(&d->list, &options, say, &d->strokes, err) && plb_api_report(o, PROGRESS_PLANNED, err);
 }
 

@@ -17,7 +17,7 @@ typedef enum { FILL_HATCH, FILL_OUTLINE, FILL_NONE } fill_style;
 typedef enum { TEXT_HAND, TEXT_OUTLINE, TEXT_NONE } text_style;
 /* A tone_scale says how dark a pencil's hatching comes out: the mean darkness (0 paper, 1 black) of an area hatched
  * with each of TONE_STEPS efforts, evenly from the faintest to the darkest; rising (hatch_tone.c). */
-#define TONE_STEPS 6
+#define TONE_STEPS 9
 #define TONE_FAINTEST 0.1 /* a darkness that is hatched whatever the scale */
 typedef struct {
     double darkness[TONE_STEPS];

@@ -84,6 +84,7 @@ typedef struct {
     double hand; /* how far the lines stray, times a free hand (hand.h), a multiple of 1/1000; 0: not measured, as a free one */
 
     uint32_t *ccm;           /* 256 × 256, ccm[i * 256 + j]: pixels of grey i whose neighbour along the line has j */
+    int grade;               /* of the built-in ones: its index, see plb_profile_grade, plus 1; 0: another */
     char *provenance;        /* free text, UTF-8: scans, hand, licence, how the grade was assigned */
 } profile;
 

@@ -16,6 +16,12 @@
  * hundredth of solid patches of one scanned pencil is 63 to 84 where that of its lines is 96 to 116. The limit of many
  * layers lies below what a few come to (chosen by eye within that). */
 #define BELOW_DARKEST 40
+/* However light the darkest of its pixels were, a soft lead covers: layers of a pencil come to no less than a grey that falls evenly with the grey of
+ * its line's centre, from that of HB to that of 8B, the darkest of the eight (chosen by eye). */
+#define CENTRE_HB 175.0
+#define LAYERS_HB 79.0
+#define CENTRE_8B 101.0
+#define LAYERS_8B 27.0
 /* Graphite shines: it is never black (natural graphite reflects; darkest patch pixels scanned are about 60). */
 #define DARKEST_POSSIBLE 24
 
@@ -29,7 +35,8 @@
 static int darkest_of(const profile *p)
 {
     int low = p->min_range < p->min_mid ? p->min_range : p->min_mid;
-    int darkest = low - BELOW_DARKEST;
+    double soft = (CENTRE_HB - plb_profile_centre(p)) / (CENTRE_HB - CENTRE_8B);
+    int darkest = (int)fmin(low - BELOW_DARKEST, LAYERS_HB + (LAYERS_8B - LAYERS_HB) * soft);
     return darkest < DARKEST_POSSIBLE ? DARKEST_POSSIBLE : darkest;
 }
 

@@ -11,11 +11,9 @@
 
 #include <math.h>
 
-/* A swatch is so many lines across, within bounds in mm, and is drawn at a coarse resolution, because only its mean counts. */
-#define SWATCH_LINES 9
-#define SWATCH_MIN 5.0
-#define SWATCH_MAX 14.0
-#define SWATCH_DPI 150.0
+/* Swatches of a measurement that a drawing waits for: their side, mm, and a coarse resolution, because only the mean counts. */
+#define SWATCH_SIDE 14.0
+#define SWATCH_DPI 100.0
 /* A margin of so many mm is not measured: there ends stray, and the outline runs. */
 #define SWATCH_EDGE 0.8
 /* Each step is darker than the one before by at least so much, even where a swatch came out lighter by chance. */
@@ -40,6 +38,7 @@ bool plb_api_needs_tone(const display_list *list, const plan_options *options)
 typedef struct {
     uint16_t *deposit; /* side x side */
     int side;          /* px */
+    double dpi;
     const graphite *ink;
 } swatch;
 
@@ -60,7 +59,7 @@ static bool lay(void *closure, const patch *p)
 
 static double mean_darkness(const swatch *s)
 {
-    int edge = (int)ceil(SWATCH_EDGE / MM_PER_INCH * SWATCH_DPI);
+    int edge = (int)ceil(SWATCH_EDGE / MM_PER_INCH * s->dpi);
     double sum = 0, n = 0;
     for (int y = edge; y < s->side - edge; y++)
         for (int x = edge; x < s->side - edge; x++) {
@@ -75,7 +74,7 @@ static bool draw_strokes(const stroke_list *strokes, const render_context *t, sw
     stroke_options options = t->stroke;
     stroke_scratch scratch = {0};
     bool ok = true;
-    options.dpi = SWATCH_DPI;
+    options.dpi = s->dpi;
     options.seed = SWATCH_SEED;
     for (size_t i = 0; ok && i < strokes->strokes.n; i++)
         ok = plb_stroke_draw(strokes, &strokes->strokes.v[i], &options, &scratch, lay, s, err);
@@ -102,10 +101,10 @@ static bool plan_swatch(double side, double darkness, const plan_options *option
     return ok;
 }
 
-static bool measure(double side, double darkness, const plan_options *options, const render_context *t, double *result, error *err)
+static bool measure(double side, double dpi, double darkness, const plan_options *options, const render_context *t, double *result, error *err)
 {
     stroke_list strokes = {0};
-    swatch s = {.side = (int)ceil(side / MM_PER_INCH * SWATCH_DPI), .ink = &t->ink};
+    swatch s = {.side = (int)ceil(side / MM_PER_INCH * dpi), .dpi = dpi, .ink = &t->ink};
     s.deposit = plb_new((size_t)s.side * (size_t)s.side, sizeof *s.deposit);
     bool ok = (s.deposit || plb_fail_memory(err)) && plan_swatch(side, darkness, options, &strokes, err) && draw_strokes(&strokes, t, &s, err);
     if (ok)
@@ -115,26 +114,31 @@ static bool measure(double side, double darkness, const plan_options *options, c
     return ok;
 }
 
-bool plb_api_measure_tone(const plb_options *o, plan_options *options, error *err)
+bool plb_api_measure_tone(const plb_options *o, const plan_options *options, double side, double dpi, tone_scale *out, error *err)
 {
     render_context t;
     if (!plb_api_context_init(&t, o, err))
         return false;
     plan_options plain = *options;
-    tone_scale found;
     plain.seed = SWATCH_SEED;
     plain.colour = false;
     for (int k = 0; k < TONE_STEPS; k++) /* a scale on which darkness is effort */
         plain.tone.darkness[k] = TONE_FAINTEST + (1 - TONE_FAINTEST) * k / (TONE_STEPS - 1);
     bool ok = true;
     for (int k = 0; ok && k < TONE_STEPS; k++) {
-        double side = SWATCH_LINES * plb_technique((double)k / (TONE_STEPS - 1), options->shade_width).spacing[0] + 2 * SWATCH_EDGE;
-        side = side < SWATCH_MIN ? SWATCH_MIN : side > SWATCH_MAX ? SWATCH_MAX : side;
-        ok = measure(side, plain.tone.darkness[k], &plain, &t, &found.darkness[k], err);
+        ok = measure(side, dpi, plain.tone.darkness[k], &plain, &t, &out->darkness[k], err);
         if (k > 0)
-            found.darkness[k] = fmax(found.darkness[k], found.darkness[k - 1] + MIN_STEP);
+            out->darkness[k] = fmax(out->darkness[k], out->darkness[k - 1] + MIN_STEP);
     }
-    if (ok)
-        options->tone = found;
     return ok;
+}
+
+bool plb_api_find_tone(const plb_options *o, plan_options *options, error *err)
+{
+    const tone_scale *known = plb_api_tone_known(o);
+    tone_scale measured;
+    if (!known && !plb_api_measure_tone(o, options, SWATCH_SIDE, SWATCH_DPI, &measured, err))
+        return false;
+    options->tone = known ? *known : measured;
+    return true;
 }

@@ -52,7 +52,15 @@ bool plb_sections_init(sections *k, const shape_edges *edges, bool even_odd, fra
     }
     if (k->edges.n)
         qsort(k->edges.v, k->edges.n, sizeof *k->edges.v, compare_edges);
+    k->pivot = (k->bounds.x0 + k->bounds.x1) / 2;
     return true;
+}
+
+void plb_sections_restart(sections *k, double pivot)
+{
+    k->pivot = pivot;
+    k->next = 0;
+    k->active.n = 0;
 }
 
 void plb_sections_free(sections *k)
@@ -65,13 +73,13 @@ void plb_sections_free(sections *k)
 
 double plb_sections_v(const sections *k, double v, double tilt, double u)
 {
-    return v + tilt * (u - (k->bounds.x0 + k->bounds.x1) / 2);
+    return v + tilt * (u - k->pivot);
 }
 
 /* Keeps the edges that this line or a later one may meet. */
 static bool update_active(sections *k, double v)
 {
-    double reach = k->tilt * (k->bounds.x1 - k->bounds.x0) / 2;
+    double reach = k->tilt * fmax(k->bounds.x1 - k->pivot, k->pivot - k->bounds.x0);
     size_t kept = 0;
     for (size_t i = 0; i < k->active.n; i++) {
         const shape_edge *e = &k->edges.v[k->active.v[i]];

@@ -37,6 +37,7 @@ typedef struct {
     shape_edges edges;       /* in the frame, by their least v */
     box bounds;              /* in the frame */
     double tilt;             /* the steepest line that may be asked for: v per u */
+    double pivot;            /* the u about which lines tilt */
     bool even_odd;
     size_t next;             /* the first edge not yet met */
     ARRAY(uint32_t) active;
@@ -52,8 +53,9 @@ struct crossing {
  * then to be freed all the same. */
 bool plb_sections_init(sections *k, const shape_edges *edges, bool even_odd, frame f, double tilt, error *err);
 void plb_sections_free(sections *k);
-/* Fills k->spans, in order of u, with the parts inside the shape of the line through the middle of the bounds at `v`
- * that rises by `tilt` per u. */
+/* Begins again with small v, for lines that tilt about another u; at first they tilt about the middle of the bounds. */
+void plb_sections_restart(sections *k, double pivot);
+/* Fills k->spans, in order of u, with the parts inside the shape of the line through (k->pivot, v) that rises by `tilt` per u. */
 bool plb_sections_at(sections *k, double v, double tilt, error *err);
 /* Gives v of that line at `u`. */
 double plb_sections_v(const sections *k, double v, double tilt, double u);

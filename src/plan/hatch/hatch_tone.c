@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Tone by spacing and pressure. A person makes a light tone with a light hand and lines set wide apart, a darker one by
- * setting them closer and pressing more, and the darkest by a second layer across the first. These go together, in one
+ * setting them closer and pressing more, and the darkest by going over the first layer once more. These go together, in one
  * row of techniques from faint to dark; how dark each comes out is measured on the pencil itself (api/tone.c), so that
  * whatever the pencil, a tone is met, as far as the pencil goes.
  */
@@ -9,17 +9,19 @@
 
 #include <math.h>
 
-/* Spacing of the first layer, in widths of the pencil's line, and pressure, at efforts 0, 1/2 and 1; the second layer
- * begins at CROSS_FROM with CROSS_WIDEST (all chosen by eye). */
-static const double spacing_at[3] = {2.2, 1.15, .75};
-static const double pressure_at[3] = {.3, .75, 1.25};
-#define CROSS_FROM 0.62
-#define CROSS_WIDEST 2.6
-#define CROSS_CLOSEST 0.8
+/* Spacing of the first layer, in widths of the pencil's line, and pressure, at efforts 0, 1/2 and 1. The second layer sets in at
+ * SECOND_FROM as lightly as the pencil marks at all, so that no tone jumps, and ends as the first (all chosen by eye). */
+static const double spacing_at[3] = {2.1, .9, .55};
+static const double pressure_at[3] = {.3, .58, 1.6};
+#define SECOND_FROM 0.45
+#define SECOND_WIDEST 1.1
+#define SECOND_CLOSEST 0.55
+#define SECOND_LIGHTEST 0.08
 /* Lines closer than this, in widths of the pencil's line, are no longer seen one by one (chosen by eye). */
 #define SINGLE_CLOSEST 1.35
-/* Darker than this part of what the pencil can do, tones are drawn together so that black is its darkest. */
-#define KNEE 0.84
+/* Tones are drawn together towards the pencil's darkest by a smooth curve of this power: light ones stay, the darker half of the greys keeps
+ * more than a third of the scale (chosen by eye; 2 leaves light tones alone for longer, and darks less). */
+#define REACH_POWER 1.5
 
 static double between(const double at[3], double t)
 {
@@ -30,21 +32,19 @@ technique plb_technique(double effort, double width)
 {
     double t = effort < 0 ? 0 : effort > 1 ? 1 : effort;
     double first[3] = {log(spacing_at[0]), log(spacing_at[1]), log(spacing_at[2])};
-    technique q = {.pressure = between(pressure_at, t), .spacing = {width * exp(between(first, t)), 0}};
-    if (t > CROSS_FROM) {
-        double part = (t - CROSS_FROM) / (1 - CROSS_FROM);
-        q.spacing[1] = width * CROSS_WIDEST * pow(CROSS_CLOSEST / CROSS_WIDEST, part);
+    technique q = {.pressure = {between(pressure_at, t), 0}, .spacing = {width * exp(between(first, t)), 0}};
+    if (t > SECOND_FROM) {
+        double part = (t - SECOND_FROM) / (1 - SECOND_FROM);
+        q.spacing[1] = width * SECOND_WIDEST * pow(SECOND_CLOSEST / SECOND_WIDEST, part);
+        q.pressure[1] = SECOND_LIGHTEST + (q.pressure[0] - SECOND_LIGHTEST) * part;
     }
     return q;
 }
 
 double plb_tone_within_reach(double darkness, const plan_options *o)
 {
-    double darkest = o->tone.darkness[TONE_STEPS - 1];
-    double knee = KNEE * darkest;
-    if (darkest >= 1 || darkness <= knee)
-        return darkness;
-    return knee + (darkness - knee) / (1 - knee) * (darkest - knee);
+    double darkest = o->tone.darkness[TONE_STEPS - 1], p = REACH_POWER, c = darkest < 1 ? pow(darkest, -p) - 1 : 0;
+    return darkness / pow(1 + c * pow(darkness, p), 1 / p);
 }
 
 technique plb_technique_for(double darkness, const plan_options *o)

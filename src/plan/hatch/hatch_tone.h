@@ -10,13 +10,13 @@
 #include "plan/tone/cells.h"
 #include "plan/tone/tone_curve.h"
 
-/* Lighter tones are left to the paper (chosen by eye). */
-#define MIN_DARKNESS 0.045
+/* Lighter tones are left to the paper (chosen by eye: gradients begin unseen, and what is all but white stays white). */
+#define MIN_DARKNESS 0.03
 
 /* A technique says how an area is hatched. */
 #define HATCH_LAYERS 2
 typedef struct {
-    double pressure;
+    double pressure[HATCH_LAYERS];
     double spacing[HATCH_LAYERS]; /* of each layer's lines, mm; 0: no such layer */
 } technique;
 
@@ -25,7 +25,7 @@ technique plb_technique(double effort, double width);
 /* Gives the technique for a darkness (0 paper to 1 black) with the pencil of these options. */
 technique plb_technique_for(double darkness, const plan_options *o);
 
-/* Gives the darkness that the pencil can make of a darkness: the same up to a knee, then evenly up to the pencil's darkest. */
+/* Gives the darkness that the pencil can make of a darkness: d / (1 + (c d)^p)^(1/p), with c such that black becomes the pencil's darkest. */
 double plb_tone_within_reach(double darkness, const plan_options *o);
 /* Gives the technique with one layer of lines that are seen one by one, so that their direction and spacing tell; spacing `coarser` times. */
 technique plb_single_layer(technique q, double width, double coarser);

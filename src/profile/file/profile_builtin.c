@@ -68,8 +68,13 @@ static profile *load_file(const char *file, error *err)
 
 profile *plb_profile_read(const char *grade_or_file, error *err)
 {
-    for (size_t i = 0; i < PENCILS; i++)
-        if (same_name(grade_or_file, pencils[i].grade))
-            return plb_profile_parse(pencils[i].grade, pencils[i].start, (size_t)(pencils[i].end - pencils[i].start), err);
-    return load_file(grade_or_file, err);
+    size_t i = 0;
+    while (i < PENCILS && !same_name(grade_or_file, pencils[i].grade))
+        i++;
+    if (i == PENCILS)
+        return load_file(grade_or_file, err);
+    profile *p = plb_profile_parse(pencils[i].grade, pencils[i].start, (size_t)(pencils[i].end - pencils[i].start), err);
+    if (p)
+        p->grade = (int)i + 1;
+    return p;
 }

@@ -43,7 +43,7 @@ typedef enum { GRAIN_START, GRAIN_LEAVE, GRAIN_CORNER, GRAIN_JOINT } grain_end;
 typedef struct {
     grain_end first, last;
     float pressure_first, pressure_last; /* times the usual, changing evenly between the ends; 0: usual */
-    bool careful;                        /* as in lettering: a fine point, and strokes more alike */
+    bool careful;                        /* as in lettering and hatching: strokes are more alike */
     float breadth;                       /* of the point, times the captured line's; 0: as captured */
 } grain_ends;
 

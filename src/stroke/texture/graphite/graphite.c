@@ -12,12 +12,12 @@
  * in lettering it stands still at both ends. */
 static grain_ends ends_of(const path_samples *path, const stroke *s, const stroke_options *o)
 {
-    bool careful = s->style.kind == STROKE_LETTER;
+    bool careful = s->style.kind == STROKE_LETTER, even = careful || s->style.kind == STROKE_HATCH;
     double pressure = stroke_pressure(s, o);
     float first = (float)(pressure * (double)path->pressure_first), last = (float)(pressure * (double)path->pressure_last);
     grain_end free_first = path->backward ? GRAIN_LEAVE : GRAIN_START, free_last = path->backward ? GRAIN_START : GRAIN_LEAVE;
     if (path->closed)
-        return (grain_ends){GRAIN_JOINT, GRAIN_JOINT, first, last, careful, s->style.breadth};
+        return (grain_ends){GRAIN_JOINT, GRAIN_JOINT, first, last, even, s->style.breadth};
     if (s->style.kind == STROKE_HATCH)
         free_first = free_last = GRAIN_LEAVE;
     bool dot = path->n > 0 && path->v[path->n - 1].along <= MAX_DOT_MM;
@@ -25,7 +25,7 @@ static grain_ends ends_of(const path_samples *path, const stroke *s, const strok
         free_first = free_last = GRAIN_CORNER;
     else if (careful)
         free_first = free_last = GRAIN_START;
-    return (grain_ends){s->corner_first ? GRAIN_CORNER : free_first, s->corner_last ? GRAIN_CORNER : free_last, first, last, careful, s->style.breadth};
+    return (grain_ends){s->corner_first ? GRAIN_CORNER : free_first, s->corner_last ? GRAIN_CORNER : free_last, first, last, even, s->style.breadth};
 }
 
 /* A grain is always at 300 dpi. */

@@ -119,7 +119,7 @@ static double within_spread(const profile *p, int figure, double x)
     return figure < 2 ? clamp(x, -of_many[figure], of_many[figure]) : x;
 }
 
-/* Who letters takes care: strokes are more alike (by eye). */
+/* Who letters takes care, and who shades keeps an even tone: strokes are more alike (by eye). */
 #define CAREFUL_SPREAD 0.4
 /* A fine point bears the same load on less paper: the depth goes with this power of the breadth (by eye: .72 as broad, 1.12 as dark). */
 #define FINE_DEPTH (-0.35)
