@@ -33,8 +33,10 @@ void plb_api_rack_free(pencil_rack *r);
 struct plb_drawing {
     char *name;           /* of its file, for messages */
     plb_options *options; /* it was loaded with; owned */
-    display_list list;
-    stroke_list strokes;
+    display_list list;    /* on the page */
+    double reduction;     /* the sheet that the hand works on is so many times larger than the page: 1 to REDUCTION_MAX */
+    stroke_list strokes;  /* on the sheet, mm there */
+    point *page_points;   /* owned: the strokes' points on the page, mm; NULL where the page is the sheet */
 };
 
 /* Copies `from` to the caller's error (may be NULL). Returns false, for `return plb_api_fail(...)`. */

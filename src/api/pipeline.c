@@ -62,7 +62,7 @@ static bool plan(plb_drawing *d, const log_sink *say, error *err)
     plan_options options = plb_api_plan_options(o);
     return fit(&d->list, o, err) &&
            (!plb_api_needs_tone(&d->list, &options) || plb_api_find_tone(o, &options, err)) &&
-           plb_plan(&d->list, &options, say, &d->strokes, err) && plb_api_report(o, PROGRESS_PLANNED, err);
+           plb_api_plan_reduced(d, &options, say, err) && plb_api_report(o, PROGRESS_PLANNED, err);
 }
 
 bool plb_api_plan(plb_drawing *d, const log_sink *say, error *err)
@@ -83,6 +83,7 @@ plb_drawing *plb_api_drawing_new(const char *name, const plb_options *o, error *
     plb_drawing *d = plb_new(1, sizeof *d);
     if (d) {
         plb_list_init(&d->list);
+        d->reduction = 1;
         d->name = plb_new(strlen(name) + 1, 1);
         d->options = plb_options_copy(o);
     }
@@ -112,6 +113,7 @@ void plb_drawing_free(plb_drawing *d)
     plb_options_free(d->options);
     plb_list_free(&d->list);
     plb_stroke_list_free(&d->strokes);
+    plb_free(d->page_points);
     plb_free(d);
 }
 

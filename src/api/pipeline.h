@@ -40,5 +40,13 @@ typedef struct {
 const plb_options *plb_api_options_for(const plb_drawing *d, const plb_options *given, plb_options *out, error *err);
 
 bool plb_api_context_init(render_context *t, const plb_options *o, error *err);
+/* Makes the same ready for the strokes of a drawing, which lie on its sheet: the page's pixels are larger there. */
+bool plb_api_context_for(render_context *t, const plb_drawing *d, const plb_options *o, error *err);
+
+/* drawing/reduce.c: plans the strokes of d->list, whose page is as large as it will be, with `options`, on the sheet that
+ * the setting `reduction` asks for. Fills d->reduction, d->strokes and d->page_points. False and `err` on failure. */
+bool plb_api_plan_reduced(plb_drawing *d, const plan_options *options, const log_sink *say, error *err);
+/* Gives the strokes as they lie on the page; all that this holds is borrowed from the drawing. */
+stroke_list plb_api_strokes_on_page(const plb_drawing *d);
 
 #endif

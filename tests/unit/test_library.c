@@ -136,6 +136,38 @@ static plb_drawing *drawing_of_lines(void)
     return d;
 }
 
+/* Draws the lines on a sheet that is so many times larger than the page. */
+static plb_drawing *drawing_reduced(double factor)
+{
+    plb_canvas *c = canvas_with_lines();
+    plb_options *o = options_at(100);
+    CHECK(plb_options_set_number(o, "reduction", factor, NULL) && plb_options_set_number(o, "squiggle", 0, NULL) && plb_options_set(o, "point", "blunt", NULL));
+    plb_drawing *d = plb_canvas_draw(c, o, NULL);
+    plb_canvas_free(c);
+    plb_options_free(o);
+    return d;
+}
+
+/* The library gives a stroke as it lies on the page, however large the hand's sheet is; only the pencil is finer. */
+static void reduced_strokes_lie_on_the_page(void)
+{
+    plb_drawing *d = drawing_reduced(3), *plain = drawing_reduced(1);
+    plb_stroke s, p;
+    int width, height;
+    CHECK(d && plain && plb_drawing_strokes(d) == plb_drawing_strokes(plain) && plb_drawing_width(d) == WIDTH && plb_drawing_height(d) == HEIGHT);
+    CHECK(plb_drawing_size(d, &width, &height, NULL, NULL) && abs(width - (int)(WIDTH / 25.4 * 100)) <= 1);
+    for (size_t i = 0; plb_drawing_stroke(d, i, &s) && plb_drawing_stroke(plain, i, &p); i++) {
+        size_t traced;
+        plb_point *path = plb_drawing_trace(d, i, &traced, NULL, NULL);
+        CHECK_RANGE(s.width / p.width, 0.3333, 0.3334);
+        CHECK_RANGE(s.points[0].x - p.points[0].x, -1e-6, 1e-6);
+        CHECK(path && (s.closed || hypot(path[0].x - s.points[0].x, path[0].y - s.points[0].y) < 0.5));
+        plb_memory_free(path);
+    }
+    plb_drawing_free(d);
+    plb_drawing_free(plain);
+}
+
 static void a_canvas_becomes_strokes(void)
 {
     plb_canvas *c = canvas_with_lines();
@@ -423,6 +455,7 @@ int main(void)
     RUN(success_clears_an_old_error);
     RUN(errors_are_one_line);
     RUN(a_canvas_becomes_strokes);
+    RUN(reduced_strokes_lie_on_the_page);
     RUN(a_canvas_draws_what_a_file_does);
     RUN(clips_hold_strokes_back);
     RUN(a_canvas_remembers_what_failed);

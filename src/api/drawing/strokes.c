@@ -16,8 +16,9 @@ bool plb_drawing_stroke(const plb_drawing *d, size_t index, plb_stroke *out)
     if (index >= d->strokes.strokes.n)
         return false;
     const stroke *s = &d->strokes.strokes.v[index];
+    stroke_list on_page = plb_api_strokes_on_page(d);
     *out = (plb_stroke){.kind = (plb_stroke_kind)s->style.kind, .pressure = (double)s->style.pressure, .colour = s->style.colour, .closed = s->closed,
-                        .width = plb_profile_width(d->options->profile) * (double)s->style.breadth, .n = s->n, .points = (const plb_point *)(const void *)(d->strokes.points.v + s->first)};
+                        .width = plb_profile_width(d->options->profile) * (double)s->style.breadth / d->reduction, .n = s->n, .points = (const plb_point *)(const void *)(on_page.points.v + s->first)};
     return true;
 }
 
@@ -26,14 +27,14 @@ static plb_point *trace(const plb_drawing *d, size_t index, size_t *n, const plb
     render_context t;
     path_samples drawn = {0};
     plb_point *points = NULL;
-    if (!plb_api_context_init(&t, o, err))
+    if (!plb_api_context_for(&t, d, o, err))
         return NULL;
     if (plb_path_sample(&d->strokes, &d->strokes.strokes.v[index], &t.stroke, &drawn, err)) {
         points = plb_new(drawn.n + 1, sizeof *points);
         if (!points)
             plb_fail_memory(err);
         for (size_t i = 0; points && i < drawn.n; i++)
-            points[i] = (plb_point){drawn.v[i].at.x, drawn.v[i].at.y};
+            points[i] = (plb_point){drawn.v[i].at.x / d->reduction, drawn.v[i].at.y / d->reduction};
         *n = points ? drawn.n : 0;
     }
     array_free(&drawn);

@@ -57,7 +57,7 @@ static bool render(const plb_drawing *d, const plb_pixels *to, const plb_options
 {
     render_context t;
     page_plan plan;
-    if (!check_pixels(to, o, err) || !plb_api_context_init(&t, o, err) || !plb_page_plan(d, o, &plan, err))
+    if (!check_pixels(to, o, err) || !plb_api_context_for(&t, d, o, err) || !plb_page_plan(d, o, &plan, err))
         return false;
     int wanted = (int)to->format + 1, bottom = to->y + to->height, right = to->x + to->width;
     page_background background = wanted % 2 == 0 ? (page_background)o->background : PAGE_WHITE;

@@ -5,17 +5,18 @@
 #include "api/output/sheet.h"
 
 #include "api/render/render.h"
+#include "base/number/number.h"
 
 #include <errno.h>
 
 /* These texts say in a picture what made it. */
 typedef struct {
-    char software[64], value[3][64];
-    const char *text[11];
+    char software[64], value[3][64], reduction[48];
+    const char *text[13];
 } labels;
 
 /* Lists the settings that make a stroke what it is; an arm that the model chose is named too. */
-static void label(labels *l, const plb_options *o, const render_context *t)
+static void label(labels *l, const plb_drawing *d, const plb_options *o, const render_context *t)
 {
     static const char *const names[][2] = {{"seed", "Plumbago-Seed"}, {"pencil", "Plumbago-Pencil"}, {"model", "Plumbago-Model"}};
     snprintf(l->software, sizeof l->software, "Plumbago %s", plb_version());
@@ -27,6 +28,8 @@ static void label(labels *l, const plb_options *o, const render_context *t)
         *to++ = names[i][1];
         *to++ = l->value[i];
     }
+    *to++ = "Plumbago-Reduction";
+    *to++ = plb_format_number(l->reduction, d->reduction, 3);
     *to++ = "Plumbago-Arm";
     *to++ = plb_arm_of(&t->stroke)->name;
     *to = NULL;
@@ -49,9 +52,9 @@ bool plb_sheet_write(picture *p, const picture_format *f, const plb_drawing *d, 
     page_plan plan = {0};
     labels l;
     bool paths = plb_picture_format_has_paths(f);
-    if (!plb_api_context_init(&t, o, err) || !(paths || plb_page_plan(d, o, &plan, err)))
+    if (!plb_api_context_for(&t, d, o, err) || !(paths || plb_page_plan(d, o, &plan, err)))
         return false;
-    label(&l, o, &t);
+    label(&l, d, o, &t);
     picture_page sheet = page_of(d, o, &plan, &l);
     if (!plb_picture_begin_page(p, &sheet, err))
         return false;

@@ -34,7 +34,7 @@ cairo_surface_t *plb_drawing_render(const plb_drawing *d, const plb_options *o, 
     render_context t;
     cairo_surface_t *result = NULL;
     o = plb_api_options_for(d, o, &(plb_options){0}, &err);
-    if (o && plb_api_context_init(&t, o, &err))
+    if (o && plb_api_context_for(&t, d, o, &err))
         result = draw_surface(d, o, &t, &err);
     plb_api_finish(&err, failed);
     return result;

@@ -48,16 +48,16 @@ static bool list_colours(colour_list *list, const stroke_list *strokes)
     return true;
 }
 
-/* Leaves out samples that lie where the one before lies. */
-static bool take_samples(tracer *t)
+/* Takes the samples to the page, `to_page` times as large as the sheet, without those that lie where the one before lies. */
+static bool take_samples(tracer *t, double to_page)
 {
     t->samples.n = 0;
     if (!array_reserve(&t->samples, t->drawn.n))
         return false;
     for (size_t i = 0; i < t->drawn.n; i++) {
         const path_sample *s = &t->drawn.v[i];
-        if (t->samples.n == 0 || plb_point_distance(s->at, t->samples.v[t->samples.n - 1].at) > 0)
-            t->samples.v[t->samples.n++] = (fit_sample){s->at, s->tangent, s->along};
+        if (t->samples.n == 0 || plb_point_distance(s->at, t->drawn.v[i - 1].at) > 0)
+            t->samples.v[t->samples.n++] = (fit_sample){point_scale(s->at, to_page), s->tangent, s->along * to_page};
     }
     return true;
 }
@@ -76,17 +76,17 @@ static bool add_stroke(tracer *tr, picture *p, const plb_drawing *d, const strok
     if (!plb_path_sample(&d->strokes, s, &t->stroke, &tr->drawn, err))
         return false;
     plb_path_clear(&tr->curves);
-    if (!take_samples(tr))
+    if (!take_samples(tr, 1 / d->reduction))
         return plb_fail_memory(err);
     if (tr->samples.n < 2)
         return true;
     if (!plb_fit_curves(tr->samples.v, tr->samples.n, MAX_ERROR, &tr->curves))
         return plb_fail_memory(err);
-    double width = plb_profile_width(t->profile) * (double)s->style.breadth;
+    double width = plb_profile_width(t->profile) * (double)s->style.breadth / d->reduction;
     return plb_picture_add_path(p, &tr->curves, width, opacity_of(s, &tr->drawn, t), err);
 }
 
-static bool begin_layer(picture *p, uint32_t colour, const render_context *t, error *err)
+static bool begin_layer(picture *p, uint32_t colour, double reduction, const render_context *t, error *err)
 {
     char label[128];
     uint32_t darkest = (uint32_t)t->ink.darkest;
@@ -94,7 +94,7 @@ static bool begin_layer(picture *p, uint32_t colour, const render_context *t, er
         snprintf(label, sizeof label, "%s #%06x", plb_profile_name(t->profile), (unsigned)colour);
     else
         snprintf(label, sizeof label, "%s", plb_profile_name(t->profile));
-    picture_layer layer = {label, colour ? colour : darkest * 0x10101u, plb_profile_width(t->profile)};
+    picture_layer layer = {label, colour ? colour : darkest * 0x10101u, plb_profile_width(t->profile) / reduction};
     return plb_picture_begin_layer(p, &layer, err);
 }
 
@@ -105,7 +105,7 @@ bool plb_sheet_trace(picture *p, const plb_drawing *d, const plb_options *o, con
     bool ok = list_colours(&colours, &d->strokes) || plb_fail_memory(err);
     size_t n = d->strokes.strokes.n, done = 0;
     for (size_t k = 0; ok && k < colours.n; k++) {
-        ok = begin_layer(p, colours.v[k], t, err);
+        ok = begin_layer(p, colours.v[k], d->reduction, t, err);
         for (size_t i = 0; ok && i < n; i++) {
             const stroke *s = &d->strokes.strokes.v[i];
             if (s->style.colour != colours.v[k])

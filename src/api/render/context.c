@@ -60,6 +60,13 @@ double plb_api_point(const plb_options *o)
     return is_sharp ? fmin((SHARP_MM + (SHARP_SOFT_MM - SHARP_MM) * soft) / width, 1) : 1;
 }
 
+bool plb_api_context_for(render_context *t, const plb_drawing *d, const plb_options *o, error *err)
+{
+    bool ok = plb_api_context_init(t, o, err);
+    t->stroke.dpi /= d->reduction;
+    return ok;
+}
+
 plan_options plb_api_plan_options(const plb_options *o)
 {
     plan_options plan = plb_plan_options_default();

@@ -57,6 +57,7 @@ struct plb_options {
     double dpi;
     double width, height, scale; /* 0: the drawing's own */
     double margin;
+    double reduction;     /* 0: as what is small on the page needs */
     page_choice page_size;
     picture_pixels pixels;
     double overshoot, restate;

@@ -6,6 +6,7 @@
 
 #include "input/input.h"
 #include "plan/plan.h"
+#include "plan/reduction/reduction.h"
 #include "stroke/stroke.h"
 #include "surface/page.h"
 
@@ -62,6 +63,8 @@ static const setting table[] = {
      WORDS({"A0", 0, 841, 1189}, {"A1", 0, 594, 841}, {"A2", 0, 420, 594}, {"A3", 0, 297, 420}, {"A4", 0, 210, 297}, {"A5", 0, 148, 210}, {"A6", 0, 105, 148}, {"letter", 0, 215.9, 279.4}, {"legal", 0, 215.9, 355.6}, {"tabloid", 0, 279.4, 431.8})},
     {{"margin", 0, "Size on paper", PLB_SETTING_LENGTH, "LEN", 0, 1000, "mm", "0mm", "blank paper around the drawing", LOAD},
      FIELD(margin)},
+    {{"reduction", 0, "Size on paper", PLB_SETTING_NUMBER, "F", 1, REDUCTION_MAX, "times", "auto", "the hand works on a sheet so many times larger than the page, which is reduced; auto: as what is small there needs", LOAD},
+     FIELD(reduction)},
 
     {{"pencil", 'p', "Pencil", PLB_SETTING_PENCIL, "GRADE|FILE", 0, 0, "", "HB", "2H H F HB B 3B 6B 8B or a .pencil file", LOAD | DRAW},
      FIELD(profile)},
