@@ -32,6 +32,7 @@ say = @$(if $(filter 1,$(V)),:,printf '  %-7s %s\n')
 # Formats of pictures that a build writes where their libraries are at hand.
 with_jpeg := $(shell pkg-config --exists libjpeg && echo libjpeg)
 with_webp := $(shell pkg-config --exists libwebp libwebpmux && echo libwebp libwebpmux)
+with_assimp := $(shell pkg-config --exists assimp && echo assimp)
 with_tiff := $(shell pkg-config --exists 'libtiff-4 >= 4.5' && echo libtiff-4)
 # libtiff is loaded when a TIFF is written, by the name under which programs that link it would find it.
 tiff_library := $(and $(with_tiff),$(shell objdump -p "$$(pkg-config --variable=libdir libtiff-4)/libtiff.so" 2>/dev/null | awk '$$1 == "SONAME" { print $$2 }'))
@@ -75,7 +76,7 @@ CXX     = g++
 SOVERSION = 0
 shared = libplumbago.so.$(VERSION)
 whole_release = -Wl,-z,defs
-programs = $(O)/plumbago $(O)/plumbago-profile $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-model $(O)/tap-dxf
+programs = $(O)/plumbago $(O)/plumbago-profile $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-model $(if $(with_assimp),$(O)/tap-assimp) $(O)/tap-dxf
 fuzzers  = $(patsubst tests/fuzz/fuzz_%.c,%,$(wildcard tests/fuzz/fuzz_*.c))
 tests_bin = $(c_tests:tests/%.c=$(O)/tests/%) $(c_tools:tests/%.c=$(O)/tests/%) $(fuzzers:%=$(O)/tests/fuzz/fuzz_%)
 
@@ -171,10 +172,18 @@ $(O)/tap-ps: $(O)/tap/ps/tap_ps.o $(call tap_common,tap_stream) $(ps_obj) $(ps_b
 	$(Q)$(CC) $(LDFLAGS_ALL) $(filter %.o,$^) -lm -o $@
 
 # So is this one.
-model_obj = $(patsubst src/%.c,$(O)/%.o,$(filter-out %/tap_model.c,$(call below,src/tap/model,*.c)))
-$(O)/tap-model: $(O)/tap/model/tap_model.o $(call tap_common,tap_stream) $(model_obj) $(ps_base)
+model_obj = $(patsubst src/%.c,$(O)/%.o,$(filter-out %/tap_model.c %/tap_assimp.c %/program.c,$(call below,src/tap/model,*.c)))
+model_program = $(O)/tap/model/program.o $(call tap_common,tap_stream) $(model_obj) $(ps_base)
+$(O)/tap-model: $(O)/tap/model/tap_model.o $(model_program)
 	$(say) LINK $@
 	$(Q)$(CC) $(LDFLAGS_ALL) $(filter %.o,$^) -lm -o $@
+$(O)/tap/model/tap_assimp.o: src/tap/model/tap_assimp.c $(O)/flags
+	$(say) CC $<
+	@mkdir -p $(@D)
+	$(Q)$(CC) $(CFLAGS_ALL) $(CFLAGS_tap) $(shell pkg-config --cflags $(with_assimp)) -c $< -o $@
+$(O)/tap-assimp: $(O)/tap/model/tap_assimp.o $(model_program)
+	$(say) LINK $@
+	$(Q)$(CC) $(LDFLAGS_ALL) $(filter %.o,$^) $(shell pkg-config --libs $(with_assimp)) -lm -o $@
 
 # The other tap is a script around the library ezdxf.
 $(O)/tap-dxf: src/tap/dxf/tap_dxf.py
@@ -319,7 +328,7 @@ dest = $(DESTDIR)$(PREFIX)
 install: all
 	install -d "$(dest)/bin" "$(dest)/libexec/plumbago" "$(dest)/include" "$(dest)/share/plumbago/profiles"
 	install $(O)/plumbago $(O)/plumbago-profile "$(dest)/bin"
-	install $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-model $(O)/tap-dxf "$(dest)/libexec/plumbago"
+	install $(O)/tap-svg $(O)/tap-plain $(O)/tap-ps $(O)/tap-model $(if $(with_assimp),$(O)/tap-assimp) $(O)/tap-dxf "$(dest)/libexec/plumbago"
 	install -m 644 src/api/plumbago.h "$(dest)/include"
 	install -d "$(DESTDIR)$(LIBDIR)/pkgconfig"
 	install -m 644 $(O)/libplumbago.a $(O)/$(shared) "$(DESTDIR)$(LIBDIR)"
@@ -378,4 +387,4 @@ help:
 	@echo 'make clean      removes build/'
 	@echo 'BUILD=release|debug|asan|ubsan|tsan|cover|failing|fuzz   CC=gcc|clang   V=1: show the commands'
 
--include $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(ps_obj:.o=.d) $(model_obj:.o=.d) $(O)/tap/ps/tap_ps.d $(O)/tap/model/tap_model.d $(wildcard $(O)/tool/*.d $(O)/tool/*/*.d $(O)/*.d $(O)/tests/*/*.d)
+-include $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(ps_obj:.o=.d) $(model_obj:.o=.d) $(O)/tap/ps/tap_ps.d $(O)/tap/model/tap_model.d $(O)/tap/model/tap_assimp.d $(O)/tap/model/program.d $(wildcard $(O)/tool/*.d $(O)/tool/*/*.d $(O)/*.d $(O)/tests/*/*.d)

@@ -62,7 +62,7 @@ calls() {
 judge_trace() { # NAME INPUT
     local opened
     opened=$(calls | grep -v ' = -1 \|O_PATH' | grep -oE '"[^"]+"' | tr -d '"' | sort -u |
-        grep -vE "$allowed" | grep -vE "^($BUILD_DIR/|\./)?(plumbago|tap-svg|tap-plain|tap-ps|tap-model|tap-dxf)\$" | grep -vE "(^|/)(\.?out\.png[^/]*|$2)\$" |
+        grep -vE "$allowed" | grep -vE "^($BUILD_DIR/|\./)?(plumbago|tap-svg|tap-plain|tap-ps|tap-model|tap-assimp|tap-dxf)\$" | grep -vE "(^|/)(\.?out\.png[^/]*|$2)\$" |
         grep -vE "^(${HOME:-/root}/\.(cache|config|fonts|local)|(/tmp/)?gs_[A-Za-z0-9]{6}\$|/tmp/(fontconfig|plumbago)|\.\$|/\$|/tmp\$|${PWD}\$)" | grep -vE "^$BUILD_DIR\$")
     calls | grep -q "open.*\"$2\".* = [0-9]" || opened="$opened (and the trace does not show the input opened)"
     report "$1 opens nothing it should not" "$opened"

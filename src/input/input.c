@@ -6,6 +6,7 @@
 
 #include "input/format/foreign.h"
 #include "input/format/model.h"
+#include "input/format/scene.h"
 
 #include <string.h>
 
@@ -87,11 +88,13 @@ static bool is_dxf(const char *data, size_t size)
 /* The display list's own language names itself at the very start. */
 static bool is_list(const char *data, size_t size) { return starts_with(data, size, "plumbago-list", 13); }
 
-/* The first that recognises a file reads it, so the order counts: PDF and PostScript may hold "<svg" near their start. */
+/* The first that recognises a file reads it, so the order counts: PDF and PostScript may hold "<svg" near their start, and COLLADA
+ * begins as SVG does. */
 static const input_format formats[] = {
     {"plumbago-list", is_list, false, plb_read_list, NULL},
     {"PostScript", is_postscript, false, plb_read_postscript, plb_count_postscript_pages},
     {"PDF", is_pdf, false, plb_read_pdf, plb_count_pdf_pages},
+    {"structured model", plb_is_scene, false, plb_read_scene, NULL},
     {"SVG", is_svg, true, plb_read_svg, NULL},
     {"DXF", is_dxf, false, plb_read_dxf, NULL},
     {"solid model", plb_is_model, false, plb_read_model, NULL},
@@ -125,7 +128,7 @@ static const input_format *find_format(const input_source *in, error *err)
     else if (foreign)
         plb_fail(err, ERROR_UNSUPPORTED, "%s: this is %s: %s", in->name, foreign->what, foreign->help);
     else if (!f)
-        plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG, PDF, PostScript, DXF, OBJ, STL, PLY, OFF or plumbago-list)", in->name);
+        plb_fail(err, ERROR_UNSUPPORTED, "%s: not a drawing this program can read (SVG, PDF, PostScript, DXF, a solid model or plumbago-list)", in->name);
     else if (is_packed_drawing(in, err))
         return NULL;
     return f;

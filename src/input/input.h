@@ -54,6 +54,7 @@ bool plb_read_svg(const input_source *in, display_list *list, error *err);
 bool plb_read_postscript(const input_source *in, display_list *list, error *err);
 bool plb_read_dxf(const input_source *in, display_list *list, error *err);
 bool plb_read_model(const input_source *in, display_list *list, error *err);
+bool plb_read_scene(const input_source *in, display_list *list, error *err);
 bool plb_read_list(const input_source *in, display_list *list, error *err);
 bool plb_read_pdf(const input_source *in, display_list *list, error *err);
 

@@ -98,3 +98,28 @@ misused "--crease" "crease takes" --crease 0 "$stage/cube.obj"
 misused "--hidden" "hidden takes none, dashed or faint" --hidden dotted "$stage/cube.obj"
 misused "--light" "light takes none" --light sun "$stage/cube.obj"
 misused "--sheet" "sheet takes none, first-angle or third-angle" --sheet second-angle "$stage/cube.obj"
+
+# ---- structured formats, where they are built ----
+# A triangle of 3 m, 2 m high.
+numbers=$({ printf '\0\0\0\0\0\0\0\0\0\0\0\0'; printf '\0\0\100\100\0\0\0\0\0\0\0\0'; printf '\0\0\0\0\0\0\0\100\0\0\0\0'; } | base64 -w 0)
+cat >triangle.gltf <<END
+{"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+"meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+"buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,$numbers"}],
+"bufferViews": [{"buffer": 0, "byteLength": 36}],
+"accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [3, 2, 0]}]}
+END
+printf 'ISO-10303-21;\nHEADER;\nFILE_SCHEMA((\047AUTOMOTIVE_DESIGN\047));\n' >part.step
+refuses "STEP is named, with what helps" "part\.step: this is STEP: save it as STL or OBJ" part.step
+mkdir bare && cp "$PLUMBAGO" bare/plumbago
+PLUMBAGO=$PWD/bare/plumbago refuses "no tap-assimp" "reading glTF needs tap-assimp" triangle.gltf
+if [ -x "$BUILD_DIR/tap-assimp" ]; then
+    is "a glTF in metres, at 1:10" "$(page --view front triangle.gltf)" "310.00 210.00"
+    is "its edges" "$(strokes --view front --light none triangle.gltf)" 3
+    sed 's/data:[^"]*/numbers.bin/' triangle.gltf >other.gltf
+    refuses "a glTF with its numbers elsewhere" 'other\.gltf: assimp: .*numbers\.bin' other.gltf
+    head -c 200 triangle.gltf >cut.gltf
+    refuses "a glTF that is cut" "cut\.gltf: assimp: " cut.gltf
+else
+    skip "glTF" "this build has no tap-assimp (Debian: libassimp-dev)"
+fi

@@ -160,12 +160,17 @@ static void add_look(arguments *a, const model_look *look)
         add_word(a, "sheet", sheets[look->sheet]);
 }
 
-bool plb_read_model(const input_source *in, display_list *list, error *err)
+bool plb_model_run_tap(const input_source *in, const char *program, const char *format, display_list *list, error *err)
 {
     arguments a = {.n = 0};
-    tap t = {.who = "tap-model", .argv = {"tap-model", format_of(in->data, in->size)}};
+    tap t = {.who = program, .argv = {program, format}};
     add_look(&a, &in->look);
     for (int i = 0; i < a.n; i++)
         t.argv[2 + i] = a.text[i];
     return plb_tap_read(in, &t, list, err);
+}
+
+bool plb_read_model(const input_source *in, display_list *list, error *err)
+{
+    return plb_model_run_tap(in, "tap-model", format_of(in->data, in->size), list, err);
 }

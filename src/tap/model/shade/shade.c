@@ -12,6 +12,9 @@ static const double tone_darkness[TONES] = {0, .11, .2, .29, .38};
 static const double tone_from[TONES] = {-1, .11, .21, .32, .45};
 /* A surface turned away from the light is as dark as this (chosen by eye: lines must stand out from it). */
 #define DARKEST 0.66
+/* A material's own darkness counts so much: light makes the form, and black things are drawn grey (chosen by eye). */
+#define LOCAL_TONE 0.45f
+#define DIMMEST 0.05f
 
 typedef struct {
     uint32_t patch, paint, tone;
@@ -21,6 +24,7 @@ typedef struct {
     const view *v;
     const surface_buffer *b;
     vector to_light; /* in the model's space, length 1 */
+    float brightest; /* of the materials */
     uint32_t *table;  /* numbers of regions, by their keys */
     size_t room;
     ARRAY(region_key) regions;
@@ -121,17 +125,36 @@ static bool label_cells(shader *s, uint32_t *label)
     return true;
 }
 
-/* The colour on paper: the material's, in the light that there is. */
+static float brightness(colour c) { return .299f * c.red + .587f * c.green + .114f * c.blue; } /* Rec. 601 */
+
+/* The brightest material on the model is paper. */
+static float brightest_of(const mesh *m)
+{
+    float most = 0;
+    for (size_t i = 0; i < m->triangles.n; i++) {
+        float b = brightness(m->paints.v[m->triangles.v[i].paint].colour);
+        most = b > most ? b : most;
+    }
+    return most > DIMMEST ? most : DIMMEST;
+}
+
+static float on_paper(float part, float brightest, float left)
+{
+    float p = part / brightest;
+    return (1 - LOCAL_TONE * (1 - (p < 1 ? p : 1))) * left;
+}
+
+/* The colour on paper: the material's, as far as a drawing shows it, in the light that there is. */
 static colour colour_of(const shader *s, region_key k)
 {
     colour c = s->v->m->paints.v[k.paint].colour;
     float left = (float)(1 - tone_darkness[k.tone]);
-    return (colour){c.red * left, c.green * left, c.blue * left};
+    return (colour){on_paper(c.red, s->brightest, left), on_paper(c.green, s->brightest, left), on_paper(c.blue, s->brightest, left)};
 }
 
 bool plb_shade(const view *v, const surface_buffer *b, light from, tone_list *out, error *err)
 {
-    shader s = {.v = v, .b = b, .to_light = direction_to_light(v, from)};
+    shader s = {.v = v, .b = b, .to_light = direction_to_light(v, from), .brightest = brightest_of(v->m)};
     uint32_t *label = plb_new((size_t)b->width * (size_t)b->height, sizeof *label);
     bool ok = label && label_cells(&s, label);
     tone_loop *loops_of = ok ? plb_new(s.regions.n + 1, sizeof *loops_of) : NULL;
