@@ -213,7 +213,9 @@ $(O)/fuzz_%: tests/fuzz/fuzz_%.c tests/fuzz/fuzz.h $(tool_parts) $(O)/libplumbag
 # ---- tests ------------------------------------------------------------------------------------------------
 # `make check` runs what takes minutes; TESTS= picks some, JOBS= says how many run at a time.
 JOBS = $(shell nproc 2>/dev/null || echo 1)
-TESTS = $(c_tests:tests/%.c=$(O)/tests/%) $(wildcard tests/cli/*.sh tests/rules/*.sh tests/image/*.sh tests/stage/*.sh) tests/fuzz/replay.sh $(filter-out tests/check.sh,$(wildcard tests/*.sh))
+# The longest come first, so that none is left running alone.
+TESTS = tests/hostile.sh $(filter-out tests/check.sh tests/hostile.sh,$(wildcard tests/*.sh)) $(c_tests:tests/%.c=$(O)/tests/%) \
+        $(wildcard tests/cli/*.sh tests/rules/*.sh tests/image/*.sh tests/stage/*.sh) tests/fuzz/replay.sh
 
 .PHONY: check check-only tests
 check: packages-check

@@ -70,13 +70,18 @@ else
     skip "a decimal comma" "no localedef, or no source of de_DE (Debian: locales)"
 fi
 
-# matrix NAME PROGRAM ARGS...: 1, 2 and 8 threads, these locales, two time zones, against what one run made in the C locale
+# matrix NAME PROGRAM ARGS...: 1, 2 and 8 threads in each of these locales, in two time zones by turns (LONG=1: in both), against
+# what one run made in the C locale
 matrix() {
-    local name=$1 threads locale zone
+    local name=$1 threads locale zone turn=0 zones=(Pacific/Auckland America/St_Johns) these
     shift
     for threads in 1 2 8; do
+        turn=$((1 - turn))
         for locale in $locales; do
-            for zone in Pacific/Auckland America/St_Johns; do
+            turn=$((1 - turn))
+            these=("${zones[turn]}")
+            [ -z "${LONG:-}" ] || these=("${zones[@]}")
+            for zone in "${these[@]}"; do
                 rm -rf cell
                 (export LC_ALL=$locale LANGUAGE=de TZ=$zone && draw cell "$@" --threads $threads)
                 alike "$name, $threads threads, $locale, $zone" cell

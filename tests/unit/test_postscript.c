@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * The PostScript reader: small programs and the display lists they must give, errors and how files catch them,
- * pages, limits; and every hostile file of tests/bad.
+ * pages, limits. tests/hostile.sh has the hostile files.
  */
 #include "check.h"
 #include "tap/ps/postscript.h"
 
-#include <dirent.h>
 
 static display_list list;
 static error fault;
@@ -360,37 +359,6 @@ static void a_binary_header_is_stripped(void)
     CHECK(!read_bytes(text, 30) && strstr(fault.text, "no PostScript"));
 }
 
-/* The hostile files: an end in reasonable time, and one line of text when it is an error. */
-static void bad_files_end_well(void)
-{
-    char folder[512], name[1024];
-    const char *root = getenv("ROOT");
-    snprintf(folder, sizeof folder, "%s/tests/bad", root ? root : ".");
-    DIR *dir = opendir(folder);
-    CHECK(dir != NULL);
-    int files = 0;
-    for (const struct dirent *e; dir && (e = readdir(dir)) != NULL;) {
-        size_t n = strlen(e->d_name);
-        if (n < 4 || (strcmp(e->d_name + n - 3, ".ps") && strcmp(e->d_name + n - 4, ".eps")))
-            continue;
-        snprintf(name, sizeof name, "%s/%s", folder, e->d_name);
-        FILE *f = fopen(name, "rb");
-        CHECK(f != NULL);
-        static char data[1 << 20];
-        size_t size = f ? fread(data, 1, sizeof data, f) : 0;
-        if (f)
-            fclose(f);
-        if (!read_bytes(data, size))
-            CHECK(fault.kind != ERROR_NONE && fault.text[0] && !strchr(fault.text, '\n'));
-        else
-            CHECK(list.width > 0 && list.height > 0 && isfinite(list.width) && isfinite(list.height));
-        files++;
-    }
-    if (dir)
-        closedir(dir);
-    CHECK(files >= 25);
-}
-
 int main(void)
 {
     plb_list_init(&list);
@@ -414,7 +382,6 @@ int main(void)
     RUN(other_pages_are_noticed);
     RUN(fonts_filters_and_resources_are_left_to_ghostscript);
     RUN(a_binary_header_is_stripped);
-    RUN(bad_files_end_well);
     plb_list_free(&list);
     CHECK_EXIT;
 }
