@@ -11,9 +11,16 @@
 /* So far must corners lie on both sides of the other's plane, as a part of the model's size. */
 #define THROUGH 2e-5
 
+/* A plane has the places p with n p = d. */
+typedef struct {
+    vector n; /* length 1 */
+    double d;
+} plane;
+
 typedef struct {
     const view *v;
     double through;
+    plane *planes; /* of the triangles, on paper */
     line_pieces *out;
 } meeting_finder;
 
@@ -44,15 +51,24 @@ static bool cut_by_plane(const view *v, uint32_t t, const double side[3], vector
     return n == 2;
 }
 
-static bool lies_on_both_sides(const meeting_finder *f, const vector c[3], const vector other[3], vector n, double side[3])
+static bool lies_on_both_sides(const meeting_finder *f, const plane *p, uint32_t other, double side[3])
 {
     double most = 0, least = 0;
     for (int k = 0; k < 3; k++) {
-        side[k] = vector_dot(n, vector_sub(other[k], c[0]));
+        side[k] = vector_dot(p->n, view_corner(f->v, other, k)) - p->d;
         most = greater(most, side[k]);
         least = lesser(least, side[k]);
     }
     return most > f->through && least < -f->through;
+}
+
+static bool are_neighbours(const mesh *m, uint32_t t, uint32_t u)
+{
+    const uint32_t *a = m->triangles.v[t].corner, *b = m->triangles.v[u].corner;
+    for (int i = 0; i < 3; i++)
+        if (a[i] == b[0] || a[i] == b[1] || a[i] == b[2])
+            return true;
+    return false;
 }
 
 /* A line ends where a side of one triangle goes through the other. */
@@ -66,22 +82,11 @@ static uint64_t node_of(const mesh *m, uint32_t side, uint32_t other)
 static bool meet(meeting_finder *f, uint32_t t, uint32_t u)
 {
     const view *v = f->v;
-    vector a[3], b[3];
-    for (int k = 0; k < 3; k++) {
-        a[k] = view_corner(v, t, k);
-        b[k] = view_corner(v, u, k);
-    }
-    for (int i = 0; i < 3; i++)
-        for (int k = 0; k < 3; k++)
-            if (v->m->triangles.v[t].corner[i] == v->m->triangles.v[u].corner[k])
-                return true; /* neighbours meet in their common corner or edge */
-    vector n = vector_unit(vector_cross(vector_sub(a[1], a[0]), vector_sub(a[2], a[0])));
-    vector o = vector_unit(vector_cross(vector_sub(b[1], b[0]), vector_sub(b[2], b[0])));
     double side_u[3], side_t[3];
     cut p, q;
-    if (!lies_on_both_sides(f, a, b, n, side_u) || !lies_on_both_sides(f, b, a, o, side_t))
-        return true;
-    vector way = vector_unit(vector_cross(n, o));
+    if (!lies_on_both_sides(f, &f->planes[t], u, side_u) || !lies_on_both_sides(f, &f->planes[u], t, side_t) || are_neighbours(v->m, t, u))
+        return true; /* neighbours meet in their common corner or edge */
+    vector way = vector_unit(vector_cross(f->planes[t].n, f->planes[u].n));
     if (!cut_by_plane(v, t, side_t, way, &p) || !cut_by_plane(v, u, side_u, way, &q))
         return true;
     bool starts_in_t = p.from > q.from, ends_in_t = p.to < q.to; /* whose side ends the line */
@@ -95,19 +100,32 @@ static bool meet(meeting_finder *f, uint32_t t, uint32_t u)
     return array_push(f->out, piece);
 }
 
+/* Gives the place in the tree's order of the last triangle below the node. */
+static size_t last_below(const box_tree *t, size_t node)
+{
+    size_t row = 1; /* nodes in its row */
+    while (2 * row <= node)
+        row *= 2;
+    size_t leaf = (node + 1) * (t->leaves / row) - 1;
+    return (leaf - t->leaves + 1) * TREE_LEAF - 1;
+}
+
 /* Compares the triangle with those behind it in the tree's order. */
 static bool meet_all(meeting_finder *f, const box_tree *t, size_t i)
 {
     size_t todo[64], n = 0;
+    tree_box own = t->boxes[i];
+    /* Boxes that only touch hold triangles that only touch; a flat box must be gone through. */
+    for (int k = 0; k < 3; k++) {
+        own.low[k] += (float)(f->through / 2);
+        own.high[k] -= (float)(f->through / 2);
+    }
     todo[n++] = 1;
     while (n) {
         size_t k = todo[--n];
-        if (!tree_boxes_meet(&t->nodes[k], &t->boxes[i]))
+        if (!tree_boxes_meet(&t->nodes[k], &own))
             continue;
-        size_t first = k; /* the last leaf below the node */
-        while (first < t->leaves)
-            first = 2 * first + 1;
-        if ((first - t->leaves + 1) * TREE_LEAF <= i + 1)
+        if (last_below(t, k) <= i)
             continue;
         if (k < t->leaves) {
             todo[n++] = 2 * k;
@@ -115,21 +133,31 @@ static bool meet_all(meeting_finder *f, const box_tree *t, size_t i)
             continue;
         }
         for (size_t j = (k - t->leaves) * TREE_LEAF; j < (k - t->leaves + 1) * TREE_LEAF && j < t->n; j++)
-            if (j > i && tree_boxes_meet(&t->boxes[i], &t->boxes[j]) && !meet(f, t->order[i], t->order[j]))
+            if (j > i && tree_boxes_meet(&own, &t->boxes[j]) && !meet(f, t->order[i], t->order[j]))
                 return false;
     }
     return true;
 }
 
+static plane *planes_of(const view *v)
+{
+    plane *planes = plb_new(v->m->triangles.n + 1, sizeof *planes);
+    for (size_t i = 0; planes && i < v->m->triangles.n; i++) {
+        vector a = view_corner(v, i, 0);
+        planes[i].n = vector_unit(vector_cross(vector_sub(view_corner(v, i, 1), a), vector_sub(view_corner(v, i, 2), a)));
+        planes[i].d = vector_dot(planes[i].n, a);
+    }
+    return planes;
+}
+
 bool plb_line_meetings(const view *v, line_pieces *out, error *err)
 {
-    meeting_finder f = {v, THROUGH * v->scale * v->m->size, out};
-    box_tree t;
-    if (!plb_tree_build(&t, v, false, err))
-        return false;
-    bool ok = true;
+    meeting_finder f = {v, THROUGH * v->scale * v->m->size, planes_of(v), out};
+    box_tree t = {0};
+    bool ok = f.planes && plb_tree_build(&t, v, false, err);
     for (size_t i = 0; ok && i < t.n; i++)
         ok = meet_all(&f, &t, i);
     plb_tree_free(&t);
+    plb_free(f.planes);
     return ok || plb_fail_memory(err);
 }
