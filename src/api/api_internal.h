@@ -33,6 +33,7 @@ void plb_api_rack_free(pencil_rack *r);
 struct plb_drawing {
     char *name;           /* of its file, for messages */
     plb_options *options; /* it was loaded with; owned */
+    plb_profile *soft;    /* the pencil of its soft strokes; owned; NULL: there are none */
     display_list list;    /* on the page */
     double reduction;     /* the sheet that the hand works on is so many times larger than the page: 1 to REDUCTION_MAX */
     stroke_list strokes;  /* on the sheet, mm there */

@@ -4,7 +4,6 @@
  */
 #include "api/pipeline.h"
 
-#include "api/pencil/tone.h"
 #include "api/settings/page_fit.h"
 #include "base/array.h"
 #include "base/number/random.h"
@@ -60,9 +59,7 @@ static bool plan(plb_drawing *d, const log_sink *say, error *err)
 {
     const plb_options *o = d->options;
     plan_options options = plb_api_plan_options(o);
-    return fit(&d->list, o, err) &&
-           (!plb_api_needs_tone(&d->list, &options) || plb_api_find_tone(o, &options, err)) &&
-           plb_api_plan_reduced(d, &options, say, err) && plb_api_report(o, PROGRESS_PLANNED, err);
+    return fit(&d->list, o, err) && plb_api_plan_reduced(d, &options, say, err) && plb_api_report(o, PROGRESS_PLANNED, err);
 }
 
 bool plb_api_plan(plb_drawing *d, const log_sink *say, error *err)
@@ -111,6 +108,7 @@ void plb_drawing_free(plb_drawing *d)
         return;
     plb_free(d->name);
     plb_options_free(d->options);
+    plb_profile_free(d->soft);
     plb_list_free(&d->list);
     plb_stroke_list_free(&d->strokes);
     plb_free(d->page_points);

@@ -3,7 +3,7 @@
  * This file keeps the stroke list and writes its text form for people and for golden tests:
  *
  *     strokes WIDTH HEIGHT
- *     stroke IDENTITY open|closed KIND PRESSURE graphite|COLOUR X Y X Y …
+ *     stroke IDENTITY open|closed KIND PRESSURE graphite|soft|COLOUR X Y X Y …
  *
  * in millimetres with three decimals.
  */
@@ -29,7 +29,7 @@ static void print_touch(FILE *to, stroke_style t)
     static const char *const kinds[] = {[STROKE_LINE] = "line", [STROKE_HATCH] = "hatch", [STROKE_LETTER] = "letter", [STROKE_GUIDE] = "guide"};
     fprintf(to, " %s", kinds[t.kind]);
     print_number(to, (double)t.pressure);
-    fprintf(to, t.colour ? " #%06lx" : " graphite", (unsigned long)t.colour);
+    fprintf(to, t.colour ? " #%06lx" : t.is_soft ? " soft" : " graphite", (unsigned long)t.colour);
 }
 
 bool plb_stroke_list_print(const stroke_list *s, FILE *to)

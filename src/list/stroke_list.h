@@ -26,9 +26,10 @@ typedef struct {
     float pressure;   /* times the hand's usual pressure, > 0: lighter is paler and grainier, heavier darker and broader */
     uint32_t colour;  /* 0xRRGGBB of a coloured pencil; 0: graphite */
     stroke_kind kind;
+    bool is_soft;     /* made with the soft pencil that the darks are shaded with, not with the one that draws */
     float breadth;    /* of the lead, times the pencil's captured line, > 0; 0 until the plan knows how worn the point is then */
 } stroke_style;
-#define STROKE_STYLE_USUAL ((stroke_style){1, 0, STROKE_LINE, 0})
+#define STROKE_STYLE_USUAL ((stroke_style){1, 0, STROKE_LINE, false, 0})
 
 /* A stroke is one movement of the pencil along a smooth line. */
 typedef struct {

@@ -32,6 +32,8 @@ typedef struct {
     double point;        /* breadth of a freshly sharpened point, times the pencil's captured line (habits/touch.c); 1: a blunt one, never sharpened */
     bool is_touched;     /* pressure and point change over the page, as measured; the papers know no such thing */
     tone_scale tone;     /* what the pencil's hatching comes to */
+    double soft_width;   /* of the line of a softer pencil, mm, for what the pencil cannot reach; 0: there is none */
+    tone_scale soft_tone; /* … and what its hatching comes to */
     double overshoot;    /* how far lines run past corners at most, mm; 0: they meet */
     double restate;      /* the share of long lines that are drawn twice */
     bool construction;   /* faint lines beyond long lines, and axes of circles */

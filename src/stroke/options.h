@@ -17,7 +17,7 @@ typedef enum { PAPER_NONE, PAPER_SMOOTH, PAPER_MEDIUM, PAPER_ROUGH } paper_kind;
 typedef struct pencil pencil;
 
 typedef struct {
-    const pencil *pencil;
+    const pencil *pencil, *soft; /* soft: of soft strokes; NULL where there are none */
     uint64_t seed;
     const line_model *model; /* NULL: the papers' */
     const arm_model *arm;    /* NULL: the model's own */

@@ -92,6 +92,7 @@ void plb_pigment_init(pigment *p, const graphite *g, uint32_t colour)
 {
     double depth = 255.0 - g->darkest;
     p->colour = colour;
+    p->is_soft = false;
     for (int k = 0; k < PIGMENT_PLANES; k++) {
         double taken = 255.0 - (colour >> (16 - 8 * k) & 255); /* of this component's light, by full cover */
         for (int v = 0; v < 256; v++) {
@@ -122,11 +123,11 @@ static void begin_band(page *p, int top)
         p->marked[y] = (row_extent){p->width, 0};
 }
 
-bool plb_page_init(page *p, int width, int height, int rows, bool colour, const graphite *ink, error *err)
+bool plb_page_init(page *p, int width, int height, int rows, bool colour, const graphite *ink, const graphite *soft, error *err)
 {
     memset(p, 0, sizeof *p);
     rows = rows > height ? height : rows;
-    *p = (page){.width = width, .height = height, .most_rows = rows, .planes = colour ? PIGMENT_PLANES : 1, .ink = ink};
+    *p = (page){.width = width, .height = height, .most_rows = rows, .planes = colour ? PIGMENT_PLANES : soft ? 2 : 1, .ink = ink, .soft = colour ? NULL : soft};
     p->stride = (size_t)width + PAGE_ROW_PAD;
     p->plane = p->stride * (size_t)rows;
     p->deposit = plb_new_large(p->plane, (size_t)p->planes * sizeof *p->deposit);
@@ -223,8 +224,10 @@ static void lay_rows(page *p, const patch *from, const pigment *with, int y0, in
     for (int y = y0; y < y1; y += ROWS_TOGETHER) {
         laid_row rows[ROWS_TOGETHER];
         int n = find_rows(p, from, y, y + ROWS_TOGETHER < y1 ? y + ROWS_TOGETHER : y1, rows);
-        for (int k = 0; k < p->planes; k++)
-            lay_plane(p->deposit + (size_t)k * p->plane, p->planes > 1 ? with->deposit[k] : p->ink->deposit, rows, n);
+        if (p->planes < PIGMENT_PLANES)
+            lay_plane(p->deposit + (p->soft && with->is_soft ? p->plane : 0), p->soft && with->is_soft ? p->soft->deposit : p->ink->deposit, rows, n);
+        for (int k = 0; p->planes == PIGMENT_PLANES && k < PIGMENT_PLANES; k++)
+            lay_plane(p->deposit + (size_t)k * p->plane, with->deposit[k], rows, n);
     }
 }
 

@@ -30,6 +30,7 @@ void plb_graphite_init(graphite *g, const profile *p);
 #define PIGMENT_PLANES 3
 typedef struct {
     uint32_t colour; /* 0xRRGGBB; 0: graphite */
+    bool is_soft;    /* the page's other graphite */
     uint16_t deposit[PIGMENT_PLANES][256];
 } pigment;
 
@@ -49,13 +50,13 @@ typedef struct {
     int width, height;   /* of the whole page, pixels */
     int top, rows;       /* the band in memory: rows [top, top + rows) */
     int most_rows;       /* that a band can have */
-    int planes;          /* 1: grey, 3: red, green, blue */
+    int planes;          /* 1: grey, 2: grey of two pencils, 3: red, green, blue */
     size_t stride, plane; /* of a row, and of all rows of a plane */
     uint16_t *deposit;   /* plane by plane, row by row; those of the pad stay 0 */
     row_extent *marked;  /* of each row */
     pthread_mutex_t *lock; /* of each stripe of rows */
     int locks;
-    const graphite *ink; /* borrowed */
+    const graphite *ink, *soft; /* borrowed; soft: the other pencil's, NULL where there is none */
 } page;
 
 /* A page may have so many pixels at the most: A0 at 3600 dpi fits. */
@@ -63,9 +64,9 @@ typedef struct {
 
 /* Gives the whole pixels of a page of so many; false and `err` when the page is too large. */
 bool plb_page_size(double width_px, double height_px, int *width, int *height, error *err);
-/* Makes a page, grey or in colour, with a first blank band of at most `rows`. False and `err` when out of memory; the caller frees
+/* Makes a page, grey or in colour, with a first blank band of at most `rows`. `soft` is the graphite of a second pencil, for grey pages, or NULL. False and `err` when out of memory; the caller frees
  * the page then, too. */
-bool plb_page_init(page *p, int width, int height, int rows, bool colour, const graphite *ink, error *err);
+bool plb_page_init(page *p, int width, int height, int rows, bool colour, const graphite *ink, const graphite *soft, error *err);
 void plb_page_free(page *p);
 /* Returns the deposits of row y of the page, which lies in the band. */
 static inline uint16_t *plb_page_deposits(const page *p, int plane, int y)

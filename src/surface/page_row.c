@@ -11,11 +11,17 @@ int plb_page_channels(page_background background, bool colour)
     return (colour ? PIGMENT_PLANES : 1) + (background == PAGE_TRANSPARENT);
 }
 
-/* Returns the opacity at which graphite or pigment darkens white to `grey`. */
-static int alpha_of(const graphite *ink, int grey)
+/* Returns the opacity at which graphite or pigment that comes to `darkest` darkens white to `grey`. */
+static int alpha_of(int darkest, int grey)
 {
-    int depth = 255 - ink->darkest;
+    int depth = 255 - darkest;
     return ((255 - grey) * 255 + depth / 2) / depth;
+}
+
+/* Returns the grey of two layers, each of which lets so much of the light pass; 255 is all. */
+static int grey_of_both(int a, int b)
+{
+    return (a * b + 127) / 255;
 }
 
 static void grey_row(const page *p, int y, uint8_t *out)
@@ -25,14 +31,21 @@ static void grey_row(const page *p, int y, uint8_t *out)
     memset(out, 255, (size_t)p->width);
     for (int x = e.from; x < e.to; x++)
         out[x] = p->ink->grey[from[x]];
+    if (!p->soft)
+        return;
+    from = plb_page_deposits(p, 1, y);
+    for (int x = e.from; x < e.to; x++)
+        out[x] = (uint8_t)grey_of_both(out[x], p->soft->grey[from[x]]);
 }
 
 static void grey_alpha_row(const page *p, int y, uint8_t *out)
 {
-    const uint16_t *from = plb_page_deposits(p, 0, y);
+    const uint16_t *from = plb_page_deposits(p, 0, y), *soft = p->soft ? plb_page_deposits(p, 1, y) : NULL;
+    int darkest = soft ? grey_of_both(p->ink->darkest, p->soft->darkest) : p->ink->darkest;
     for (int x = 0; x < p->width; x++) {
-        out[2 * x] = (uint8_t)p->ink->darkest;
-        out[2 * x + 1] = (uint8_t)alpha_of(p->ink, p->ink->grey[from[x]]);
+        int grey = p->ink->grey[from[x]];
+        out[2 * x] = (uint8_t)darkest;
+        out[2 * x + 1] = (uint8_t)alpha_of(darkest, soft ? grey_of_both(grey, p->soft->grey[soft[x]]) : grey);
     }
 }
 
@@ -53,7 +66,7 @@ static void colour_alpha_pixel(const graphite *ink, const uint8_t opaque[PIGMENT
     int darkest = 255;
     for (int k = 0; k < PIGMENT_PLANES; k++)
         darkest = opaque[k] < darkest ? opaque[k] : darkest;
-    int alpha = alpha_of(ink, darkest);
+    int alpha = alpha_of(ink->darkest, darkest);
     for (int k = 0; k < PIGMENT_PLANES; k++) {
         int taken = alpha ? ((255 - opaque[k]) * 255 + alpha / 2) / alpha : 255 - ink->darkest;
         out[k] = (uint8_t)(taken < 255 ? 255 - taken : 0);
@@ -74,5 +87,5 @@ static void colour_alpha_row(const page *p, int y, uint8_t *out)
 void plb_page_row(const page *p, page_background background, int y, uint8_t *out)
 {
     static void (*const rows[2][2])(const page *, int, uint8_t *) = {{grey_row, grey_alpha_row}, {colour_row, colour_alpha_row}};
-    rows[p->planes > 1][background == PAGE_TRANSPARENT](p, y, out);
+    rows[p->planes == PIGMENT_PLANES][background == PAGE_TRANSPARENT](p, y, out);
 }

@@ -120,7 +120,7 @@ static bool prepare(bench *b, double dpi, size_t n, const char *grade)
     plb_options *o = plb_options_new(); /* until the program ends: its pencil draws */
     bool ok = o && plb_options_set(o, "pencil", grade, NULL) && plb_options_set_number(o, "dpi", dpi, NULL) && plb_api_context_init(&b->tools, o, NULL);
     int side = (int)(SIDE_MM / MM_PER_INCH * dpi);
-    ok = ok && plb_page_init(&b->page, side, side, side, false, &b->tools.ink, NULL);
+    ok = ok && plb_page_init(&b->page, side, side, side, false, &b->tools.ink, NULL, NULL);
     for (uint64_t k = 0; ok && k < n; k++) {
         double turn = 2 * PLB_PI * random_unit(1, 3 * k), x = SIDE_MM * random_unit(1, 3 * k + 1), y = SIDE_MM * random_unit(1, 3 * k + 2);
         stroke s = {.style = STROKE_STYLE_USUAL, .identity = k + 1, .first = b->list.points.n, .n = 2};

@@ -17,7 +17,7 @@ static stroke_list page(void)
 static stroke *add(stroke_list *list, double x0, double y0, double x1, double y1, stroke_kind kind)
 {
     point ends[2] = {{x0, y0}, {x1, y1}};
-    stroke s = {.style = {1, 0, kind, kind == STROKE_HATCH}};
+    stroke s = {.style = {1, 0, kind, false, kind == STROKE_HATCH}};
     CHECK(plb_plan_append(list, &s, ends, 2));
     return &list->strokes.v[list->strokes.n - 1];
 }

@@ -114,7 +114,7 @@ static void deposits_darken_and_saturate(void)
     CHECK(ink.darkest < 90);
     for (int g = ink.darkest + 1; g < 256; g++)
         CHECK(ink.grey[ink.deposit[g]] == g); /* a stroke alone looks as its texture says */
-    CHECK(plb_page_init(&p, 8, 8, 8, false, &ink, NULL));
+    CHECK(plb_page_init(&p, 8, 8, 8, false, &ink, NULL, NULL));
     static patch dot = {.x = -1, .y = 6, .width = 3, .height = 3};
     memset(dot.grey, 170, 9);
     memset(dot.to, 3, 3);
@@ -141,7 +141,7 @@ static void sums_are_those_of_each_pixel(void)
     graphite ink;
     page p;
     plb_graphite_init(&ink, f);
-    CHECK(plb_page_init(&p, SIDE, SIDE, SIDE, false, &ink, NULL));
+    CHECK(plb_page_init(&p, SIDE, SIDE, SIDE, false, &ink, NULL, NULL));
     static uint32_t sums[SIDE][SIDE];
     static patch one;
     for (uint64_t k = 0; k < 60; k++) {
@@ -172,7 +172,7 @@ static void order_does_not_matter(void)
     graphite ink;
     page a, b;
     plb_graphite_init(&ink, f);
-    CHECK(plb_page_init(&a, 60, 60, 60, false, &ink, NULL) && plb_page_init(&b, 60, 60, 60, false, &ink, NULL));
+    CHECK(plb_page_init(&a, 60, 60, 60, false, &ink, NULL, NULL) && plb_page_init(&b, 60, 60, 60, false, &ink, NULL, NULL));
     static patch patches[40];
     for (int k = 0; k < 40; k++) {
         patches[k] = (patch){.x = k, .y = 40 - k, .width = 20, .height = 20};

@@ -4,6 +4,8 @@
  * reduced to the page, as illustrators do with what is too small for a pencil. All that the plan and the strokes know is
  * the sheet. Pixels of the page are larger there, and what leaves the library as a place is taken back to the page.
  */
+#include "api/pencil/shade.h"
+#include "api/pencil/tone.h"
 #include "api/pipeline.h"
 
 #include "base/array.h"
@@ -19,14 +21,27 @@ static void tell(const plb_drawing *d, const reduction_needs *needs, const log_s
             d->reduction * d->list.height, why);
 }
 
+/* Plans the strokes of the sheet, once the tones that its fills ask for are known, and the pencils that make them. */
+static bool plan_sheet(plb_drawing *d, const display_list *sheet, plan_options options, const log_sink *say, error *err)
+{
+    const plb_options *o = d->options;
+    plb_profile_free(d->soft);
+    d->soft = NULL;
+    if (plb_api_needs_tone(sheet, &options) && !(plb_api_find_tone(o, &options, err) && plb_api_find_soft(o, sheet, &options, &d->soft, err)))
+        return false;
+    if (d->soft)
+        plb_log(say, MESSAGE_DETAIL, "what is too dark for %s is shaded with %s", plb_profile_name(o->profile), plb_profile_name(d->soft));
+    return plb_plan(sheet, &options, say, &d->strokes, err);
+}
+
 /* Plans on a sheet `factor` times as large as the page. */
 static bool plan_at(plb_drawing *d, double factor, const plan_options *options, const log_sink *say, error *err)
 {
     display_list sheet;
     d->reduction = factor;
     if (factor <= 1)
-        return plb_plan(&d->list, options, say, &d->strokes, err);
-    bool ok = plb_list_enlarged(&sheet, &d->list, factor, err) && plb_plan(&sheet, options, say, &d->strokes, err);
+        return plan_sheet(d, &d->list, *options, say, err);
+    bool ok = plb_list_enlarged(&sheet, &d->list, factor, err) && plan_sheet(d, &sheet, *options, say, err);
     plb_list_free(&sheet);
     return ok;
 }

@@ -18,7 +18,7 @@ bool plb_drawing_stroke(const plb_drawing *d, size_t index, plb_stroke *out)
     const stroke *s = &d->strokes.strokes.v[index];
     stroke_list on_page = plb_api_strokes_on_page(d);
     *out = (plb_stroke){.kind = (plb_stroke_kind)s->style.kind, .pressure = (double)s->style.pressure, .colour = s->style.colour, .closed = s->closed,
-                        .width = plb_profile_width(d->options->profile) * (double)s->style.breadth / d->reduction, .n = s->n, .points = (const plb_point *)(const void *)(on_page.points.v + s->first)};
+                        .width = plb_profile_width(s->style.is_soft ? d->soft : d->options->profile) * (double)s->style.breadth / d->reduction, .n = s->n, .points = (const plb_point *)(const void *)(on_page.points.v + s->first)};
     return true;
 }
 

@@ -19,9 +19,14 @@ static const tone_scale known[] = {
     {{.088, .130, .181, .254, .387, .596, .756, .849, .879}}, /* 8B */
 };
 
+const tone_scale *plb_api_tone_of_grade(size_t index)
+{
+    return index < sizeof known / sizeof *known ? &known[index] : NULL;
+}
+
 const tone_scale *plb_api_tone_known(const plb_options *o)
 {
     int grade = o->profile->p->grade;
     bool is_usual = plb_model_at((size_t)o->model) == &plb_model_graphite && o->paper == PAPER_MEDIUM && o->pressure == 1 && o->squiggle < 0;
-    return is_usual && grade > 0 && (size_t)grade <= sizeof known / sizeof *known ? &known[grade - 1] : NULL;
+    return is_usual && grade > 0 ? plb_api_tone_of_grade((size_t)grade - 1) : NULL;
 }

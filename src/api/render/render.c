@@ -5,6 +5,7 @@
  */
 #include "api/render/render.h"
 
+#include "api/pencil/pencils.h"
 #include "api/render/bands.h"
 #include "base/array.h"
 #include "system/thread_team.h"
@@ -28,6 +29,7 @@ typedef struct {
     const plb_drawing *d;
     const plb_options *o;
     stroke_options options;
+    graphite soft; /* of the drawing's second pencil */
     page *page;
     const uint32_t *index; /* the band's strokes */
     size_t n, band, bands;
@@ -52,7 +54,7 @@ bool plb_page_plan(const plb_drawing *d, const plb_options *o, page_plan *plan, 
         return plb_fail(err, why.kind, "%s: %s", d->name, why.text);
     plan->top = 0;
     plan->rows = plan->height;
-    plan->planes = o->colour ? PIGMENT_PLANES : 1;
+    plan->planes = o->colour ? PIGMENT_PLANES : d->soft ? 2 : 1;
     plan->members = members_for(d, o, (double)plan->width * plan->height);
     return true;
 }
@@ -76,6 +78,7 @@ static bool draw_stroke(render_job *c, int member, const stroke *s)
     layer *l = &c->layer[member];
     if (l->page != c->page || s->style.colour != l->with.colour)
         plb_pigment_init(&l->with, c->page->ink, s->style.colour);
+    l->with.is_soft = s->style.is_soft;
     l->page = c->page;
     return plb_stroke_draw(&c->d->strokes, s, &c->options, &c->scratch[member], lay, l, &c->err[member]);
 }
@@ -121,18 +124,34 @@ static bool draw_bands(render_job *c, const band_strokes *bands, int members, ba
     return report(c->o, 1, err);
 }
 
+/* Makes the drawing's second pencil ready, where it has one. */
+static bool prepare_soft(render_job *c, error *err)
+{
+    const plb_profile *soft = c->d->soft;
+    if (!soft)
+        return true;
+    plb_graphite_init(&c->soft, soft->p);
+    c->options.soft = plb_api_pencil(soft, plb_model_at((size_t)c->o->model), (paper_kind)c->o->paper, err);
+    return c->options.soft;
+}
+
 bool plb_render(const plb_drawing *d, const plb_options *o, const render_context *t, const page_plan *plan, band_sink sink, void *closure,
                 error *err)
 {
-    page p;
+    page p = {0};
     band_strokes bands = {0};
     render_job *c = plb_new(1, sizeof *c);
-    bool ok = plb_page_init(&p, plan->width, plan->height, plan->rows, o->colour, &t->ink, err) &&
-              plb_bands_init(&bands, &d->strokes, &t->stroke, plan->top, plan->height, plan->rows, plan->members, err);
-    if (ok)
+    if (!c)
+        return plb_fail_memory(err);
+    c->d = d;
+    c->o = o;
+    c->options = t->stroke;
+    c->page = &p;
+    bool ok = prepare_soft(c, err) && plb_page_init(&p, plan->width, plan->height, plan->rows, o->colour, &t->ink, d->soft ? &c->soft : NULL, err) &&
+              plb_bands_init(&bands, &d->strokes, &c->options, plan->top, plan->height, plan->rows, plan->members, err);
+    if (ok) {
         plb_page_start_at(&p, plan->top);
-    if (ok && c) {
-        *c = (render_job){.d = d, .o = o, .options = t->stroke, .page = &p, .bands = bands.n};
+        c->bands = bands.n;
         ok = draw_bands(c, &bands, plan->members, sink, closure, err);
         for (int k = 0; k < THREAD_TEAM_MAX; k++)
             plb_stroke_scratch_free(&c->scratch[k]);
@@ -140,5 +159,5 @@ bool plb_render(const plb_drawing *d, const plb_options *o, const render_context
     plb_free(c);
     plb_bands_free(&bands);
     plb_page_free(&p);
-    return ok && c ? true : plb_fail_memory(err);
+    return ok || plb_fail_memory(err);
 }

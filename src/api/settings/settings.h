@@ -16,6 +16,9 @@
 /* The pencil's point is sharpened while one draws, or stays as it was when its lines were captured. */
 typedef enum { POINT_SHARP, POINT_BLUNT } pencil_point;
 
+/* Darks that the pencil cannot make are shaded with a softer one, with the same, or with a grade that is named. */
+typedef enum { SHADE_AUTO, SHADE_SAME, SHADE_GRADES } pencil_shade;
+
 /* A page_choice is a page by its name: its sides upright, mm, and how the page lies. */
 typedef enum { PAGE_AS_DRAWN, PAGE_PORTRAIT, PAGE_LANDSCAPE } page_turn;
 typedef struct {
@@ -49,6 +52,7 @@ struct plb_options {
     int text;             /* text_style */
     int background;       /* page_background */
     int point;            /* pencil_point */
+    int shade;            /* pencil_shade, or from SHADE_GRADES on a grade */
     int up, hidden, sheet; /* of solid models: model_up, model_hidden, model_sheet (input.h) */
     angle_choice view, projection, light; /* azimuth and elevation; a: how much is in view, 0: parallel; word MODEL_DARK: no light */
     double crease;        /* degrees */

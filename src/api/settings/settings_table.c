@@ -30,6 +30,12 @@ static const char *model_name(size_t i)
     return model ? model->name : NULL;
 }
 
+static const char *shade_name(size_t i)
+{
+    static const char *const first[] = {[SHADE_AUTO] = "auto", [SHADE_SAME] = "same"};
+    return i < SHADE_GRADES ? first[i] : plb_profile_grade(i - SHADE_GRADES);
+}
+
 /* The rows stand in the order of --help, whose headings are the groups. Ranges of lengths are mm. */
 static const setting table[] = {
     {{"page", 0, "Input", PLB_SETTING_WHOLE, "N", 1, 1e6, "", "auto", "which page of a file with several; auto: the first", LOAD},
@@ -70,6 +76,8 @@ static const setting table[] = {
      FIELD(profile)},
     {{"point", 0, "Pencil", PLB_SETTING_CHOICE, NULL, 0, 0, "", "sharp", "sharpened now and then (about 0.3 mm), or as the grade was captured", LOAD | DRAW},
      FIELD(point), WORDS(WORD("sharp", POINT_SHARP), WORD("blunt", POINT_BLUNT))},
+    {{"shade", 0, "Pencil", PLB_SETTING_CHOICE, NULL, 0, 0, "", "auto", "pencil for what is too dark for this one; auto: as soft as needed", LOAD},
+     FIELD(shade), .word = shade_name},
     {{"pressure", 0, "Pencil", PLB_SETTING_NUMBER, "F", 0.2, 3, "times the usual", "1", "paler and grainier, or darker", LOAD | DRAW},
      FIELD(pressure)},
     {{"paper", 0, "Pencil", PLB_SETTING_CHOICE, NULL, 0, 0, "", "medium", "the tooth of the paper, which all strokes share", LOAD | DRAW},

@@ -20,6 +20,8 @@
 /* The second layer is turned by this against the first, radians: darks are made by going over them again in nearly the same direction, as
  * people do; crossing looks woven (chosen by eye; passes of real drawings differ by 5 to 20 degrees). */
 #define SECOND_ANGLE 0.24
+/* In darker tones lines are no longer seen one by one: where their direction is to tell, there is one layer of them (chosen by eye). */
+#define SEEN_DARKNESS 0.5
 /* A fill that covers this part of the page and is no darker than PAPER_DARKNESS is its paper. */
 #define PAPER_COVER 0.97
 #define PAPER_DARKNESS 0.45
@@ -55,7 +57,7 @@ hatcher plb_hatcher(const display_list *list, const plan_options *o, const tone_
         double darkest = plb_darkest(&t);
         if (it->kind != ITEM_FILL || darkest < MIN_DARKNESS)
             continue;
-        technique q = plb_technique_for(darkest, o);
+        technique q = plb_technique_for(darkest, plb_is_soft_tone(darkest, o), o);
         double area = overlap(plb_path_bounds(&it->path), h.page) * (t.gradient ? GRADIENT_PARTS : 1);
         for (int k = 0; k < HATCH_LAYERS; k++)
             strokes += q.spacing[k] > 0 ? area / (q.spacing[k] * TYPICAL_LENGTH) : 0;
@@ -95,18 +97,20 @@ static double darkest_of(const tone_source *t, const shape *s, double *mean)
     return most;
 }
 
-static bool add_tone(const hatcher *h, const shape *s, const item *fill, const tone_source *t, double darkness, const marks *m)
+/* Hatches the shape, whose darkest place has this darkness, with one pencil throughout. */
+static bool add_tone(const hatcher *h, const shape *s, const item *fill, tone_source t, double darkness, marks m)
 {
-    technique q = plb_technique_for(darkness, h->options);
+    t.is_soft = m.style.is_soft = plb_is_soft_tone(darkness, h->options);
+    technique q = plb_technique_for(darkness, t.is_soft, h->options);
     manner how = plb_manner_of(&h->manners, &fill->paint);
-    if (how.is_single)
-        q = plb_single_layer(q, h->options->shade_width, how.coarser);
+    if (how.is_single && plb_tone_within_reach(darkness, h->options) > SEEN_DARKNESS)
+        q = plb_single_layer(q, t.is_soft ? h->options->soft_width : h->options->shade_width, how.coarser);
     uint64_t key = random_key(h->options->seed, s->identity, PURPOSE_HATCH);
     double direction = (how.is_single ? HATCH_HABIT : plb_hatch_direction(h, fill)) + how.turn + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
     bool ok = true;
     for (int k = 0; ok && k < HATCH_LAYERS; k++) {
-        hatch_layer l = {direction + k * SECOND_ANGLE, q.spacing[k] * h->coarser, q.pressure[k], k, q.spacing[k], t->field ? t->field->finest : 0, t->gradient || t->field ? t : NULL};
-        ok = !(l.spacing > 0) || plb_hatch_lines(s, &l, h->page, m);
+        hatch_layer l = {direction + k * SECOND_ANGLE, q.spacing[k] * h->coarser, q.pressure[k], k, q.spacing[k], t.field ? t.field->finest : 0, t.gradient || t.field ? &t : NULL};
+        ok = !(l.spacing > 0) || plb_hatch_lines(s, &l, h->page, &m);
     }
     return ok;
 }
@@ -127,13 +131,13 @@ static bool box_shape(shape *s, box b, error *err)
 bool plb_plan_hatch_cells(const hatcher *h, const item *last, const tone_field *f, track_list *out, error *err)
 {
     tone_source t = {.paint = &last->paint, .field = f, .curve = &h->curve, .options = h->options};
-    marks m = {h->options, {1, 0, STROKE_HATCH, 1}, out, err};
+    marks m = {h->options, {.pressure = 1, .kind = STROKE_HATCH, .breadth = 1}, out, err};
     double darkest = 0;
     shape s;
     for (size_t k = 0; k < (size_t)f->columns * (size_t)f->rows; k++)
         darkest = fmax(darkest, (double)f->darkness[k]);
     darkest = plb_tone_curve_at(&h->curve, darkest);
-    bool ok = box_shape(&s, f->bounds, err) && (darkest < MIN_DARKNESS || add_tone(h, &s, last, &t, darkest, &m));
+    bool ok = box_shape(&s, f->bounds, err) && (darkest < MIN_DARKNESS || add_tone(h, &s, last, t, darkest, m));
     plb_shape_free(&s);
     return ok;
 }
@@ -142,7 +146,7 @@ bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *o
 {
     tone_source t = plb_tone_source(h->list, fill, h->options, &h->curve, colour != 0);
     double darkness = plb_tone_curve_at(&h->curve, plb_paint_darkness(&fill->paint, colour != 0)), mean = darkness;
-    marks m = {h->options, {1, colour, STROKE_HATCH, 1}, out, err};
+    marks m = {h->options, {.pressure = 1, .colour = colour, .kind = STROKE_HATCH, .breadth = 1}, out, err};
     shape s;
     bool ok = plb_shape_init(&s, fill, err);
     *outline = true;
@@ -154,7 +158,7 @@ bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *o
     } else if (ok && s.area > 0 && darkness >= MIN_DARKNESS) {
         bool solid = false;
         m.style.pressure = (float)plb_technique(mean, 0).pressure[0];
-        ok = plb_is_solid(&s, h->options->shade_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, &t, darkness, &m));
+        ok = plb_is_solid(&s, h->options->shade_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, t, darkness, m));
     }
     *outline = *outline && has_edge;
     plb_shape_free(&s);

@@ -179,7 +179,7 @@ static double pressure_at(const hatching *h, point at, double rank)
     double darkness = plb_darkness_at(h->l->tone, at);
     if (darkness < MIN_DARKNESS)
         return 0;
-    technique q = plb_technique_for(darkness, h->l->tone->options);
+    technique q = plb_technique_for(darkness, h->l->tone->is_soft, h->l->tone->options);
     double spacing = q.spacing[h->l->layer];
     return spacing > 0 && h->l->dense / spacing > rank ? q.pressure[h->l->layer] : 0;
 }

@@ -22,6 +22,9 @@ static const double pressure_at[3] = {.3, .58, 1.6};
 /* Tones are drawn together towards the pencil's darkest by a smooth curve of this power: light ones stay, the darker half of the greys keeps
  * more than a third of the scale (chosen by eye; 2 leaves light tones alone for longer, and darks less). */
 #define REACH_POWER 1.5
+/* From this part of the pencil's darkest tone on, an area is shaded with the softer pencil, where there is one: before the pencil is pressed as hard
+ * as it can be (chosen by eye). */
+#define SOFT_FROM 0.85
 
 static double between(const double at[3], double t)
 {
@@ -41,21 +44,34 @@ technique plb_technique(double effort, double width)
     return q;
 }
 
+/* Gives the darkest tone of the pencils at hand. */
+static double reach_of(const plan_options *o)
+{
+    double darkest = o->tone.darkness[TONE_STEPS - 1];
+    return o->soft_width > 0 ? fmax(darkest, o->soft_tone.darkness[TONE_STEPS - 1]) : darkest;
+}
+
 double plb_tone_within_reach(double darkness, const plan_options *o)
 {
-    double darkest = o->tone.darkness[TONE_STEPS - 1], p = REACH_POWER, c = darkest < 1 ? pow(darkest, -p) - 1 : 0;
+    double darkest = reach_of(o), p = REACH_POWER, c = darkest < 1 ? pow(darkest, -p) - 1 : 0;
     return darkness / pow(1 + c * pow(darkness, p), 1 / p);
 }
 
-technique plb_technique_for(double darkness, const plan_options *o)
+bool plb_is_soft_tone(double darkness, const plan_options *o)
 {
-    const double *scale = o->tone.darkness;
+    return o->soft_width > 0 && plb_tone_within_reach(darkness, o) > SOFT_FROM * o->tone.darkness[TONE_STEPS - 1];
+}
+
+technique plb_technique_for(double darkness, bool is_soft, const plan_options *o)
+{
+    const double *scale = is_soft ? o->soft_tone.darkness : o->tone.darkness;
     double want = plb_tone_within_reach(darkness, o);
     int k = 1;
     while (k < TONE_STEPS - 1 && scale[k] < want)
         k++;
     double step = scale[k] - scale[k - 1], part = step > 0 ? (want - scale[k - 1]) / step : 1;
-    technique q = plb_technique((k - 1 + part) / (TONE_STEPS - 1), o->shade_width);
+    technique q = plb_technique((k - 1 + part) / (TONE_STEPS - 1), is_soft ? o->soft_width : o->shade_width);
+    q.is_soft = is_soft;
     if (want < scale[0]) /* fainter than the faintest: farther apart */
         q.spacing[0] *= scale[0] / want;
     return q;

@@ -16,16 +16,19 @@
 /* A technique says how an area is hatched. */
 #define HATCH_LAYERS 2
 typedef struct {
+    bool is_soft;                 /* with the softer pencil */
     double pressure[HATCH_LAYERS];
     double spacing[HATCH_LAYERS]; /* of each layer's lines, mm; 0: no such layer */
 } technique;
 
 /* Gives the technique of an effort from the faintest, 0, to the darkest, 1; `width` is the pencil's, mm. */
 technique plb_technique(double effort, double width);
-/* Gives the technique for a darkness (0 paper to 1 black) with the pencil of these options. */
-technique plb_technique_for(double darkness, const plan_options *o);
+/* Tells whether an area whose darkest place has this darkness (0 paper to 1 black) is shaded with the softer pencil. */
+bool plb_is_soft_tone(double darkness, const plan_options *o);
+/* Gives the technique for a darkness with the pencil of these options, or their softer one. */
+technique plb_technique_for(double darkness, bool is_soft, const plan_options *o);
 
-/* Gives the darkness that the pencil can make of a darkness: d / (1 + (c d)^p)^(1/p), with c such that black becomes the pencil's darkest. */
+/* Gives the darkness that the pencils can make of a darkness: d / (1 + (c d)^p)^(1/p), with c such that black becomes the pencil's darkest. */
 double plb_tone_within_reach(double darkness, const plan_options *o);
 /* Gives the technique with one layer of lines that are seen one by one, so that their direction and spacing tell; spacing `coarser` times. */
 technique plb_single_layer(technique q, double width, double coarser);
@@ -37,6 +40,7 @@ typedef struct {
     const tone_field *field;  /* … NULL otherwise */
     const tone_curve *curve;
     bool colour;
+    bool is_soft;             /* its darkest place asks for the softer pencil */
     const plan_options *options;
 } tone_source;
 /* `curve` is borrowed: all tones go through it. */

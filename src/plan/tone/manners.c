@@ -11,8 +11,6 @@
 
 /* Tones that the pencil makes look alike if they differ by less, as shares of black (chosen by eye). */
 #define ALIKE 0.08
-/* Darker than this a single layer whose lines are seen does not become (measured on HB). */
-#define DARKEST_SINGLE 0.36
 /* In a drawing of at most so many tones all are told apart, for a legend may ask for any two; in one of more those that lie so near to
  * each other, mm. */
 #define FEW_PAINTS 8
@@ -105,7 +103,7 @@ static void relate(const paint_manners *m, const areas *all, const plan_options 
             if (are_near(all->v[i].bounds, all->v[k].bounds))
                 is_near[all->v[i].paint][all->v[k].paint] = is_near[all->v[k].paint][all->v[i].paint] = true;
     for (int i = 0; i < m->n; i++)
-        tone[i] = fmin(plb_tone_within_reach(plb_tone_curve_at(curve, 1 - plb_paint_lightness(m->paints[i])), o), DARKEST_SINGLE);
+        tone[i] = plb_tone_within_reach(plb_tone_curve_at(curve, 1 - plb_paint_lightness(m->paints[i])), o);
     for (int i = 0; i < m->n; i++)
         for (int k = 0; k < m->n; k++)
             alike->is[i][k] = i != k && fabs(tone[i] - tone[k]) < ALIKE && (m->n <= FEW_PAINTS || is_near[i][k]);
@@ -115,17 +113,18 @@ static void relate(const paint_manners *m, const areas *all, const plan_options 
 static void choose(paint_manners *m, const relation *alike)
 {
     int chosen[MANNERS_MAX_PAINTS];
-    bool any = false;
+    bool is_like_another[MANNERS_MAX_PAINTS] = {false};
     for (int i = 0; i < m->n; i++) {
         bool is_taken[CHOICES + 1] = {false};
         for (int k = 0; k < i; k++)
             if (alike->is[i][k])
-                is_taken[chosen[k]] = any = true;
+                is_taken[chosen[k]] = is_like_another[i] = is_like_another[k] = true;
         for (chosen[i] = 0; chosen[i] < CHOICES - 1 && is_taken[chosen[i]];)
             chosen[i]++;
     }
-    for (int i = 0; any && i < m->n; i++)
-        m->manners[i] = choices[chosen[i]];
+    for (int i = 0; i < m->n; i++)
+        if (is_like_another[i])
+            m->manners[i] = choices[chosen[i]];
 }
 
 bool plb_manners_find(const display_list *list, const plan_options *o, const tone_curve *curve, const cell_groups *cells, paint_manners *m, error *err)

@@ -32,7 +32,7 @@ static grain_ends ends_of(const path_samples *path, const stroke *s, const strok
 static bool make(const path_samples *path, const stroke *s, const stroke_options *o, texture_buffers *b, shading *out, error *err)
 {
     double dpi = PAPER_PX_PER_INCH, length_px = path->v[path->n - 1].along / MM_PER_INCH * dpi;
-    if (!plb_grain_make(&b->grain, length_px, ends_of(path, s, o), o->pencil, o->seed, s->identity, err))
+    if (!plb_grain_make(&b->grain, length_px, ends_of(path, s, o), o->soft && s->style.is_soft ? o->soft : o->pencil, o->seed, s->identity, err))
         return false;
     *out = plb_grain_shading(&b->grain, dpi, o->dpi);
     return true;
