@@ -36,6 +36,8 @@ is "its hidden edges, faint" "$(list --view iso --hidden faint "$stage/cube.obj"
 is "no light: no tone" "$(fills --light none "$models/house.obj")" 0
 if [ "$(fills "$models/house.obj")" -gt 5 ]; then ok "light: tones"; else fail "light: tones" "$(fills "$models/house.obj")"; fi
 list "$models/house.obj" >a && list --light 40,45 "$models/house.obj" >b && differ "light from the other side" a b
+is "flat faces have even tones" "$(list "$models/house.obj" | grep -c '^gradient')" 0
+if [ "$(list "$models/knot.obj" | grep -c '^gradient')" -gt 2 ]; then ok "those of round surfaces change"; else fail "those of round surfaces change" "no gradient"; fi
 for view in front back left right top bottom iso 35,22 -30,-60; do list --view $view "$models/chair.obj" >"view$view"; done
 is "views differ" "$(md5sum view* | cut -d' ' -f 1 | sort -u | wc -l)" 9
 list "$models/chair.obj" >a && same "35,22 is what one gets" a view35,22

@@ -86,6 +86,21 @@ bool plb_view_centre_line(item_writer *w, point a, point b)
     return ok || plb_fail_memory(w->err);
 }
 
+/* Paints the item at work with the area's tone: an even one, or one that changes. */
+static void set_tone(item_writer *w, const tone_area *a)
+{
+    w->item.gradient = 0;
+    w->item.paint = (paint){PAINT_SOLID, (double)a->colour.red, (double)a->colour.green, (double)a->colour.blue, 1};
+    if (!a->is_round)
+        return;
+    gradient g = {.extend = GRADIENT_PAD, .to_space = MATRIX_IDENTITY, .from = a->from, .to = a->to, .opacity = 1};
+    for (int i = 0; i < 2; i++)
+        plb_gradient_add_stop(&g, (gradient_stop){i, a->colours[i].red, a->colours[i].green, a->colours[i].blue, 1});
+    plb_list_writer_gradient(w->w, &g);
+    w->item.paint.kind = PAINT_GRADIENT;
+    w->item.gradient = ++w->gradients;
+}
+
 /* An area is a box that its outline clips, for an outline of its own would be drawn. */
 static bool write_area(item_writer *w, const tone_list *l, const tone_area *a)
 {
@@ -111,7 +126,7 @@ static bool write_area(item_writer *w, const tone_list *l, const tone_area *a)
         plb_list_writer_clip(w->w, &c);
         w->item.kind = ITEM_FILL;
         w->item.clip = w->clips++;
-        w->item.paint = (paint){PAINT_SOLID, (double)a->colour.red, (double)a->colour.green, (double)a->colour.blue, 1};
+        set_tone(w, a);
         plb_list_writer_item(w->w, &w->item);
     }
     plb_path_free(&c.path);

@@ -13,6 +13,7 @@ typedef struct {
     error *err;
     item item; /* at work; plb_item_free frees it */
     int clips; /* written so far */
+    unsigned gradients;
 } item_writer;
 
 /* Finds the lines of a view that are seen and, where `keep_hidden`, those that are not. */

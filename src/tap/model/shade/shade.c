@@ -15,10 +15,21 @@ static const double tone_from[TONES] = {-1, .11, .21, .32, .45};
 /* A material's own darkness counts so much: light makes the form, and black things are drawn grey (chosen by eye). */
 #define LOCAL_TONE 0.45f
 #define DIMMEST 0.05f
+#define FLAT 0.9999 /* cosine of a turn that nobody sees */
+
+/* Round surfaces go over from tone to tone: darkness on paper by that of the surface, about a line through the steps above (chosen by eye). */
+#define ROUND_BASE (-0.02)
+#define ROUND_SLOPE 0.8
 
 typedef struct {
     uint32_t patch, paint, tone;
 } region_key;
+
+/* Sums over the cells of a region: how its darkness changes over the page, by least squares. */
+typedef struct {
+    double n, x, y, d, xx, xy, yy, xd, yd;
+    box bounds;
+} region_sums;
 
 typedef struct {
     const view *v;
@@ -28,6 +39,8 @@ typedef struct {
     uint32_t *table;  /* numbers of regions, by their keys */
     size_t room;
     ARRAY(region_key) regions;
+    ARRAY(region_sums) sums;   /* of the regions */
+    unsigned char *is_round;   /* by patch */
 } shader;
 
 /* The light moves with the eye: it comes over the left shoulder wherever one looks from. */
@@ -54,10 +67,14 @@ static vector normal_at(const view *v, uint32_t t, point at)
     return vector_unit(is_away ? vector_scale(n, -1) : n);
 }
 
-static uint32_t tone_of(const shader *s, uint32_t t, point at)
+static double darkness_at(const shader *s, uint32_t t, point at)
 {
     double towards = vector_dot(normal_at(s->v, t, at), s->to_light); /* -1 to 1 */
-    double darkness = DARKEST * (1 - towards) / 2;
+    return DARKEST * (1 - towards) / 2;
+}
+
+static uint32_t tone_of(double darkness)
+{
     uint32_t tone = 0;
     while (tone + 1 < TONES && darkness >= tone_from[tone + 1])
         tone++;
@@ -99,7 +116,30 @@ static bool region_of(shader *s, region_key k, uint32_t *number)
     if (*number != NO_TRIANGLE)
         return true;
     *number = s->table[i] = (uint32_t)s->regions.n;
-    return array_push(&s->regions, k);
+    return array_push(&s->regions, k) && array_push(&s->sums, ((region_sums){.bounds = BOX_EMPTY}));
+}
+
+static void add_cell(region_sums *r, point p, double d)
+{
+    r->n++;
+    r->x += p.x, r->y += p.y, r->d += d;
+    r->xx += p.x * p.x, r->xy += p.x * p.y, r->yy += p.y * p.y;
+    r->xd += p.x * d, r->yd += p.y * d;
+    plb_box_add(&r->bounds, p);
+}
+
+/* A patch is round when its surface turns at an edge within it. */
+static bool find_round(shader *s)
+{
+    const mesh *m = s->v->m;
+    s->is_round = plb_new((size_t)m->patches + 1, 1);
+    for (size_t i = 0; s->is_round && i < m->edges.n; i++) {
+        const edge *e = &m->edges.v[i];
+        uint32_t t = m->halves.v[e->first].side / 3, u = m->halves.v[e->first + e->n - 1].side / 3;
+        if (m->patch.v[t] == m->patch.v[u] && fabs(vector_dot(m->normals.v[t], m->normals.v[u])) < FLAT)
+            s->is_round[m->patch.v[t]] = 1;
+    }
+    return s->is_round;
 }
 
 /* Labels the cells with their regions. */
@@ -116,11 +156,13 @@ static bool label_cells(shader *s, uint32_t *label)
             if (t == NO_TRIANGLE)
                 continue;
             point at = {b->corner.x + (x + .5) * b->cell, b->corner.y + (y + .5) * b->cell};
-            region_key k = {s->v->m->patch.v[t], s->v->m->triangles.v[t].paint, tone_of(s, t, at)};
+            double darkness = darkness_at(s, t, at);
+            region_key k = {s->v->m->patch.v[t], s->v->m->triangles.v[t].paint, tone_of(darkness)};
             if (!is_same(k, last) && !region_of(s, k, &number))
                 return false;
             last = k;
             label[i] = number;
+            add_cell(&s->sums.v[number], at, darkness);
         }
     return true;
 }
@@ -145,27 +187,64 @@ static float on_paper(float part, float brightest, float left)
 }
 
 /* The colour on paper: the material's, as far as a drawing shows it, in the light that there is. */
-static colour colour_of(const shader *s, region_key k)
+static colour colour_of(const shader *s, region_key k, double darkness)
 {
     colour c = s->v->m->paints.v[k.paint].colour;
-    float left = (float)(1 - tone_darkness[k.tone]);
+    float left = (float)(1 - darkness);
     return (colour){on_paper(c.red, s->brightest, left), on_paper(c.green, s->brightest, left), on_paper(c.blue, s->brightest, left)};
+}
+
+/* The tone of a round surface within its step. */
+static double round_darkness(double d, uint32_t tone)
+{
+    double low = greater(tone_from[tone], 0), high = tone + 1 < TONES ? tone_from[tone + 1] : DARKEST;
+    return ROUND_BASE + ROUND_SLOPE * lesser(greater(d, low), high);
+}
+
+/* Lays the plane of least squares through the darkness of a region's cells: from where to where it changes, and from what to what. */
+static void find_slope(const shader *s, size_t region, tone_area *a)
+{
+    const region_sums *r = &s->sums.v[region];
+    region_key k = s->regions.v[region];
+    double x = r->x / r->n, y = r->y / r->n, d = r->d / r->n;
+    double xx = r->xx / r->n - x * x, xy = r->xy / r->n - x * y, yy = r->yy / r->n - y * y, xd = r->xd / r->n - x * d, yd = r->yd / r->n - y * d;
+    double det = xx * yy - xy * xy;
+    point g = det > 1e-9 ? (point){(xd * yy - yd * xy) / det, (yd * xx - xd * xy) / det} : (point){0, 0};
+    double steep = plb_point_length(g);
+    point way = steep > 0 ? point_scale(g, 1 / steep) : (point){1, 0}, middle = {x, y};
+    double reach = (fabs(way.x) * (r->bounds.x1 - r->bounds.x0) + fabs(way.y) * (r->bounds.y1 - r->bounds.y0)) / 2 + s->b->cell;
+    a->is_round = true;
+    a->from = point_sub(middle, point_scale(way, reach));
+    a->to = point_add(middle, point_scale(way, reach));
+    a->colours[0] = colour_of(s, k, round_darkness(d - steep * reach, k.tone));
+    a->colours[1] = colour_of(s, k, round_darkness(d + steep * reach, k.tone));
+}
+
+static tone_area area_of(const shader *s, size_t region, tone_loop loops)
+{
+    region_key k = s->regions.v[region];
+    tone_area a = {.colour = colour_of(s, k, tone_darkness[k.tone]), .first = loops.first, .n = loops.n};
+    if (s->is_round[k.patch] && k.tone > 0)
+        find_slope(s, region, &a);
+    return a;
 }
 
 bool plb_shade(const view *v, const surface_buffer *b, light from, tone_list *out, error *err)
 {
     shader s = {.v = v, .b = b, .to_light = direction_to_light(v, from), .brightest = brightest_of(v->m)};
     uint32_t *label = plb_new((size_t)b->width * (size_t)b->height, sizeof *label);
-    bool ok = label && label_cells(&s, label);
+    bool ok = label && find_round(&s) && label_cells(&s, label);
     tone_loop *loops_of = ok ? plb_new(s.regions.n + 1, sizeof *loops_of) : NULL;
     ok = ok && loops_of && plb_trace_regions(b, label, (uint32_t)s.regions.n, loops_of, out);
     for (size_t i = 0; ok && i < s.regions.n; i++)
         if (loops_of[i].n)
-            ok = array_push(&out->areas, ((tone_area){colour_of(&s, s.regions.v[i]), loops_of[i].first, loops_of[i].n}));
+            ok = array_push(&out->areas, area_of(&s, i, loops_of[i]));
     plb_free(loops_of);
     plb_free(label);
     plb_free(s.table);
+    plb_free(s.is_round);
     array_free(&s.regions);
+    array_free(&s.sums);
     return ok || plb_fail_memory(err);
 }
 

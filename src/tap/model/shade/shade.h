@@ -31,6 +31,9 @@ typedef struct {
 typedef struct {
     colour colour; /* of the material, darkened by what the light leaves; white leaves the paper blank */
     size_t first, n; /* of the loops */
+    bool is_round;   /* part of a round surface, whose tone changes from `from` to `to`, mm */
+    point from, to;
+    colour colours[2]; /* there */
 } tone_area;
 typedef struct {
     size_t first, n; /* of the points */
