@@ -84,13 +84,23 @@ static bool is_looked_at(const line_gaps *g, double x, double y)
     return g->share >= 1 || (double)(random_mix(square) >> 11) * 0x1p-53 < g->share;
 }
 
+/* Tells whether a place lies about so near to the edge of its square that the next square may be within reach. */
+static bool is_near_edge(double x, double reach)
+{
+    double inside = x - SQUARE_MM * floor(x / SQUARE_MM);
+    return inside < reach * 1.001 || inside > SQUARE_MM - reach * 1.001;
+}
+
 static bool add_sample(line_gaps *g, const gap_sample *from)
 {
     gap_sample s = *from;
     double x = s.at.x, y = s.at.y, reach = APART_WIDTHS * g->width;
+    if (x < g->page.x0 || y < g->page.y0 || x > g->page.x1 || y > g->page.y1)
+        return true;
     s.counts = is_looked_at(g, x, y);
-    bool is_near = s.counts || is_looked_at(g, x - reach, y) || is_looked_at(g, x + reach, y) || is_looked_at(g, x, y - reach) || is_looked_at(g, x, y + reach);
-    if (!is_near || x < g->page.x0 || y < g->page.y0 || x > g->page.x1 || y > g->page.y1)
+    bool is_near = s.counts || (is_near_edge(x, reach) && (is_looked_at(g, x - reach, y) || is_looked_at(g, x + reach, y))) ||
+                   (is_near_edge(y, reach) && (is_looked_at(g, x, y - reach) || is_looked_at(g, x, y + reach)));
+    if (!is_near)
         return true;
     return g->samples.n < UINT32_MAX && plb_grid_put(&g->cells, plb_grid_cell(&g->cells, x), plb_grid_cell(&g->cells, y), (uint32_t)g->samples.n) && array_push(&g->samples, s);
 }
