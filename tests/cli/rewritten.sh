@@ -63,7 +63,7 @@ alike "a line of HTML" \
 alike "tiles of lines" "<pattern id='p' width='10' height='10' patternUnits='userSpaceOnUse'><path d='M0 5h10' $line/></pattern><rect width='20' height='10' fill='url(#p)'/>" \
     "<path d='M0 5h10' $line/><path d='M10 5h10' $line/>"
 alike "a grid along the tile's sides is half as wide" "<pattern id='p' width='10' height='10' patternUnits='userSpaceOnUse'><path d='M0 10V0H10' stroke-width='2' $line/></pattern><rect width='10' height='10' fill='url(#p)'/>" \
-    "<path d='M0 10V0H10' stroke-width='1' $line/>"
+    "<path d='M0 10V0H10' stroke-width='1' stroke-opacity='.6' $line/>"
 pixel='iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAACklEQVR4nGOIAgAAXABb2LRWWgAAAABJRU5ErkJggg=='
 alike "an opaque picture lays paper" "<image x='20' y='20' width='40' height='20' preserveAspectRatio='none' xlink:href='data:image/png;base64,$pixel'/>" \
     "<rect x='20' y='20' width='40' height='20' fill='#fff'/>"

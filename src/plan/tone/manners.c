@@ -6,6 +6,7 @@
 #include "plan/tone/manners.h"
 
 #include "plan/hatch/hatch_tone.h"
+#include "plan/item/weight.h"
 
 #include <math.h>
 
@@ -15,8 +16,10 @@
  * each other, mm. */
 #define FEW_PAINTS 8
 #define NEAR_MM 0.5
-/* An area is broader than so many widths of the pencil, either way: smaller ones have no hatching to be told by. */
+/* An area reaches over so many widths of the pencil, either way, for smaller fills have no hatching to be told by … */
 #define AREA_WIDTHS 6.0
+/* … and is somewhere broader than so many mm, for what is thinner is lettering. */
+#define LETTER_MM 1.2
 /* Lighter tones are paper. */
 #define PAPER 0.045
 /* A fill that covers so much of the page is its ground and is beside everything. */
@@ -56,7 +59,7 @@ static bool is_hatched(const display_list *list, size_t i, const plan_options *o
     const item *it = &list->items.v[i];
     box b = plb_path_bounds(&it->path);
     double least = AREA_WIDTHS * o->shade_width, w = b.x1 - b.x0, h = b.y1 - b.y0;
-    return it->kind == ITEM_FILL && it->paint.kind == PAINT_SOLID && fmin(w, h) > least && w * h < GROUND_COVER * list->width * list->height &&
+    return it->kind == ITEM_FILL && it->paint.kind == PAINT_SOLID && fmin(w, h) > least && plb_fill_breadth(&it->path) > LETTER_MM && w * h < GROUND_COVER * list->width * list->height &&
            plb_tone_curve_at(curve, 1 - plb_paint_lightness(it->paint)) > PAPER && !plb_cells_group(cells, i);
 }
 

@@ -15,8 +15,9 @@
  * (chosen by eye; lighter would flatten the tones, darker drown the lines). */
 #define CARRIES_DARK 0.26
 #define CARRIES_WHITE 0.5
-/* A fill broader than so many widths of the pencil, either way, is an area. */
+/* A fill that reaches over so many widths of the pencil, either way, is an area, unless it is thinner everywhere than so many mm: lettering. */
 #define AREA_WIDTHS 6.0
+#define LETTER_MM 1.2
 /* Tones up to this part of CARRIES_DARK stay as they are. */
 #define UNCHANGED 0.5
 /* A mark is dark on an area, or light, that differs by so much (chosen by eye: less is hardly seen in the drawing itself). */
@@ -45,7 +46,7 @@ typedef struct {
     ARRAY(area) areas;
     double darkest, lightest; /* that carries dark marks; that carries white words */
     bool *is_inked;           /* of each item: it is white and lies on something dark; then, only where it is too small */
-    float *below;             /* of each such item: how dark what it lies on is */
+    size_t *below;            /* of each such item: the area that it lies on */
     error *err;
 } survey;
 
@@ -66,7 +67,7 @@ double plb_tone_curve_at(const tone_curve *curve, double darkness)
 static bool is_area(const item *it, const plan_options *o)
 {
     box b = plb_path_bounds(&it->path);
-    return it->kind == ITEM_FILL && fmin(b.x1 - b.x0, b.y1 - b.y0) > AREA_WIDTHS * o->shade_width;
+    return it->kind == ITEM_FILL && fmin(b.x1 - b.x0, b.y1 - b.y0) > AREA_WIDTHS * o->shade_width && plb_fill_breadth(&it->path) > LETTER_MM;
 }
 
 static bool find_areas(survey *s)
@@ -116,7 +117,7 @@ static void look_below_letter(survey *s, size_t i, size_t first)
         return;
     note(s, dark, a);
     s->is_inked[i] = is_white_on_dark(dark, a);
-    s->below[i] = s->is_inked[i] ? (float)a->darkness : 0;
+    s->below[i] = (size_t)(a - s->areas.v);
 }
 
 /* Gives the end of the word of white letters that begins with item number `i`, and its height. */
@@ -127,7 +128,7 @@ static size_t word_end(const survey *s, size_t i, double *height)
     for (i++; i < s->list->items.n && s->is_inked[i]; i++) {
         box b = plb_path_bounds(&s->list->items.v[i].path);
         double gap = WORD_GAP * fmax(*height, b.y1 - b.y0);
-        if (b.x0 > last.x1 + gap || last.x0 > b.x1 + gap || b.y0 > last.y1 + gap || last.y0 > b.y1 + gap)
+        if (s->below[i] != s->below[i - 1] || b.x0 > last.x1 + gap || last.x0 > b.x1 + gap || b.y0 > last.y1 + gap || last.y0 > b.y1 + gap)
             break;
         *height = fmax(*height, b.y1 - b.y0);
         last = b;
@@ -142,7 +143,7 @@ static void settle_words(survey *s)
         double height = 0;
         end = s->is_inked[i] ? word_end(s, i, &height) : i + 1;
         for (size_t k = i; k < end && height >= OPEN_HEIGHT_MM; k++) {
-            s->lightest = fmin(s->lightest, (double)s->below[k]);
+            s->lightest = fmin(s->lightest, s->areas.v[s->below[k]].darkness);
             s->is_inked[k] = false;
         }
     }
