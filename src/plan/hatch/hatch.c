@@ -22,6 +22,9 @@
 #define SECOND_ANGLE 0.24
 /* In darker tones lines are no longer seen one by one: where their direction is to tell, there is one layer of them (chosen by eye). */
 #define SEEN_DARKNESS 0.5
+/* Solid shapes are pressed by their darkness, from white to black (chosen by eye). */
+#define SOLID_LIGHT 0.3
+#define SOLID_DARK 1.25
 /* A fill that covers this part of the page and is no darker than PAPER_DARKNESS is its paper. */
 #define PAPER_COVER 0.97
 #define PAPER_DARKNESS 0.45
@@ -157,7 +160,7 @@ bool plb_plan_hatch(const hatcher *h, const item *fill, uint32_t colour, bool *o
         *outline = false;
     } else if (ok && s.area > 0 && darkness >= MIN_DARKNESS) {
         bool solid = false;
-        m.style.pressure = (float)plb_technique(mean, 0).pressure[0];
+        m.style.pressure = (float)(SOLID_LIGHT + (SOLID_DARK - SOLID_LIGHT) * mean);
         ok = plb_is_solid(&s, h->options->shade_width, &solid, err) && (solid ? plb_scribble(&s, h->page, &m, outline) : add_tone(h, &s, fill, t, darkness, m));
     }
     *outline = *outline && has_edge;

@@ -112,9 +112,20 @@ static bool press(const scribble *k, point a, point b)
     return plb_track_copy(k->m->out, &t) || plb_fail_memory(k->m->err);
 }
 
-/* One touch for each width of the line across, at least one. */
-static bool dab(const scribble *k, box b)
+/* A dot is made with a part of the lead that fits it: of so much of its size (chosen by eye: a stop stays a stop, and no larger than it was). */
+#define DAB_POINT 0.6
+
+/* Draws the box of the shape's own area in a few touches: one for each width of the line across, at least one. */
+static bool dab(const scribble *all, box b)
 {
+    scribble with = *all, *k = &with;
+    marks m = *all->m;
+    double w = b.x1 - b.x0, h = b.y1 - b.y0, part_filled = w * h > 0 ? sqrt(fmin(k->s->area / (w * h), 1)) : 1;
+    k->width = fmin(fmax(DAB_POINT * sqrt(k->s->area), m.options->point * all->width), all->width);
+    m.style.breadth = (float)(k->width / all->width);
+    k->m = &m;
+    point c = {(b.x0 + b.x1) / 2, (b.y0 + b.y1) / 2};
+    b = (box){c.x - part_filled * w / 2, c.y - part_filled * h / 2, c.x + part_filled * w / 2, c.y + part_filled * h / 2};
     double length = fmax(b.x1 - b.x0 - 0.7 * k->width, DAB_SHORTEST), across = fmax(b.y1 - b.y0 - 0.9 * k->width, 0);
     int touches = across > 0.5 * k->width ? 3 : across > 0 || length > DAB_SHORTEST ? 2 : 1;
     double u = (b.x0 + b.x1) / 2, v = (b.y0 + b.y1) / 2;
