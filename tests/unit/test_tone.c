@@ -176,14 +176,14 @@ static void paints_that_look_alike_differ_in_manner(void)
     CHECK(plb_manners_find(&list, &o, &plain, g.cells, &m, NULL) && m.n == 3);
     manner a = plb_manner_of(&m, &list.items.v[0].paint), b = plb_manner_of(&m, &list.items.v[1].paint);
     manner again = plb_manner_of(&m, &list.items.v[2].paint), light = plb_manner_of(&m, &list.items.v[3].paint);
-    CHECK(a.is_single && b.is_single && a.turn != b.turn && a.turn == again.turn && a.coarser == again.coarser && light.turn == a.turn);
+    CHECK(a.is_told && b.is_told && a.turn != b.turn && a.turn == again.turn && a.coarser == again.coarser && light.turn == a.turn);
     free_groups(&g);
     plb_list_free(&list);
     list = page();
     fill(&list, 10, 10, 20, 20, .5);
     fill(&list, 30, 10, 20, 20, .8);
     g = find_groups(&list, &o);
-    CHECK(plb_manners_find(&list, &o, &plain, g.cells, &m, NULL) && !plb_manner_of(&m, &list.items.v[0].paint).is_single);
+    CHECK(plb_manners_find(&list, &o, &plain, g.cells, &m, NULL) && !plb_manner_of(&m, &list.items.v[0].paint).is_told);
     free_groups(&g);
     plb_list_free(&list);
 }

@@ -20,8 +20,8 @@
 /* The second layer is turned by this against the first, radians: darks are made by going over them again in nearly the same direction, as
  * people do; crossing looks woven (chosen by eye; passes of real drawings differ by 5 to 20 degrees). */
 #define SECOND_ANGLE 0.24
-/* In darker tones lines are no longer seen one by one: where their direction is to tell, there is one layer of them (chosen by eye). */
-#define SEEN_DARKNESS 0.5
+/* Lines of a coloured pencil lie no closer than so many widths (chosen by eye). */
+#define COLOUR_CLOSEST 0.6
 /* Solid shapes are pressed by their darkness, from white to black (chosen by eye). */
 #define SOLID_LIGHT 0.3
 #define SOLID_DARK 1.25
@@ -106,10 +106,15 @@ static bool add_tone(const hatcher *h, const shape *s, const item *fill, tone_so
     t.is_soft = m.style.is_soft = plb_is_soft_tone(darkness, h->options);
     technique q = plb_technique_for(darkness, t.is_soft, h->options);
     manner how = plb_manner_of(&h->manners, &fill->paint);
-    if (how.is_single && plb_tone_within_reach(darkness, h->options) > SEEN_DARKNESS)
+    /* A coloured pencil covers at once: going over it again would only take its colour. */
+    for (int k = 0; m.style.colour && k < HATCH_LAYERS; k++) {
+        q.spacing[k] = k ? 0 : fmax(q.spacing[k], COLOUR_CLOSEST * h->options->shade_width);
+        q.pressure[k] = fmin(q.pressure[k], 1);
+    }
+    if (how.coarser > 1)
         q = plb_single_layer(q, t.is_soft ? h->options->soft_width : h->options->shade_width, how.coarser);
     uint64_t key = random_key(h->options->seed, s->identity, PURPOSE_HATCH);
-    double direction = (how.is_single ? HATCH_HABIT : plb_hatch_direction(h, fill)) + how.turn + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
+    double direction = (how.is_told ? HATCH_HABIT : plb_hatch_direction(h, fill)) + how.turn + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
     bool ok = true;
     for (int k = 0; ok && k < HATCH_LAYERS; k++) {
         hatch_layer l = {direction + k * SECOND_ANGLE, q.spacing[k] * h->coarser, q.pressure[k], k, q.spacing[k], t.field ? t.field->finest : 0, t.gradient || t.field ? &t : NULL};

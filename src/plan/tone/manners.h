@@ -11,9 +11,9 @@
 
 /* A manner says how a paint's hatching differs from the usual. */
 typedef struct {
-    double turn;     /* radians, added to the direction: with a single layer to that of habit, so that all differ */
-    double coarser;  /* spacing is so many times as wide */
-    bool is_single;  /* one layer, in which the direction is seen */
+    double turn;    /* radians, added to the direction: where the direction tells, to that of habit, so that all differ */
+    double coarser; /* above 1: one layer of lines, which are seen, with spacing so many times as wide */
+    bool is_told;   /* by its direction */
 } manner;
 
 #define MANNERS_MAX_PAINTS 12 /* more are a scale of tones, no chart */
