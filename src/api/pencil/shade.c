@@ -10,7 +10,7 @@
 #include "plan/tone/tone_curve.h"
 
 /* A pencil is soft enough for a dark that it misses by no more than this (chosen by eye: a softer one than needed looks harsh beside the others). */
-#define MISSED 0.1
+#define MISSED 0.05
 /* A pencil that goes darker by less than this is not worth the change (chosen by eye). */
 #define WORTH 0.02
 

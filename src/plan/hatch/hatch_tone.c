@@ -19,9 +19,9 @@ static const double pressure_at[3] = {.3, .58, 1.6};
 #define SECOND_LIGHTEST 0.08
 /* Lines closer than this, in widths of the pencil's line, are no longer seen one by one (chosen by eye). */
 #define SINGLE_CLOSEST 1.35
-/* Tones are drawn together towards the pencil's darkest by a smooth curve of this power: light ones stay, the darker half of the greys keeps
- * more than a third of the scale (chosen by eye; 2 leaves light tones alone for longer, and darks less). */
-#define REACH_POWER 1.5
+/* Tones are drawn together towards the pencil's darkest by a smooth curve of this power: light ones stay, and the darker half of the greys keeps a
+ * third of the scale (chosen by eye; 1.5 leaves more of the darks and draws middle tones paler than they are). */
+#define REACH_POWER 2.0
 /* From this part of the pencil's darkest tone on, an area is shaded with the softer pencil, where there is one: before the pencil is pressed as hard
  * as it can be (chosen by eye). */
 #define SOFT_FROM 0.85
