@@ -89,3 +89,13 @@ inside "a soft mask clips to what it lets through" \
     "<radialGradient id='g'><stop offset='0' stop-color='#fff'/><stop offset='1' stop-color='#fff' stop-opacity='0'/></radialGradient><mask id='m'><circle cx='100' cy='60' r='40' fill='url(#g)'/></mask><path d='M0 60h200' mask='url(#m)' $line/>" 30,0,70,60
 inside "a clip path that is clipped" \
     "<clipPath id='b'><rect x='60' width='140' height='120'/></clipPath><clipPath id='a' clip-path='url(#b)'><rect width='100' height='120'/></clipPath><path d='M0 50h200' clip-path='url(#a)' $line/>" 30,0,50,60
+
+# Rules are found by what they ask for: 500 rules and 4,000 elements take .4 s, and took 6 s when each rule was tried with each element.
+awk 'BEGIN {
+    print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"800\" height=\"600\"><style>:root{--a:#123}"
+    for (k = 0; k < 500; k++) print ".c" k "{fill:none;stroke:var(--a);stroke-width:" 1 + k % 3 "}"
+    print "</style>"
+    for (k = 0; k < 4000; k++) print "<path class=\"c" k % 500 "\" d=\"M" k % 100 * 8 " " int(k / 100) * 6 "l5 3\"/>"
+    print "</svg>" }' >rules.svg
+"$PLUMBAGO" -q --limit-time 2 --dump=list -o rules.list rules.svg 2>err
+is "many rules and many elements take a moment" "$(grep -c '^stroke ' rules.list) $(head -n 1 err)" "4000 "

@@ -24,6 +24,7 @@ typedef struct {
 
 struct css_sheet {
     GArray *rules;     /* css_rule, in the order of the document */
+    GHashTable *index; /* by what a rule asks of the element itself, ".class", "#id", "name" or "" (none of these): its rules */
     GPtrArray *blocks; /* the texts between braces, and the selectors' */
 };
 
@@ -140,6 +141,31 @@ static void read_sheet(css_sheet *sheet, const char *text)
     }
 }
 
+/* Gives a class, id or name, as in the index, without which no element matches the compound; "": there is none that is seen at a glance. */
+static char *key_of(const char *compound)
+{
+    size_t type = strspn(compound, NAME_CHARACTERS);
+    const char *at = compound + type + (compound[type] == '*');
+    size_t length = *at == '.' || *at == '#' ? strspn(at + 1, NAME_CHARACTERS) : 0;
+    return length ? g_strndup(at, length + 1) : g_strndup(compound, type);
+}
+
+static void free_rules(gpointer rules) { g_ptr_array_free(rules, TRUE); }
+
+static void make_index(css_sheet *sheet)
+{
+    sheet->index = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, free_rules);
+    for (guint i = 0; i < sheet->rules->len; i++) {
+        css_rule *rule = &g_array_index(sheet->rules, css_rule, i);
+        char *key = key_of(rule->parts[rule->n - 1].text);
+        GPtrArray *rules = g_hash_table_lookup(sheet->index, key);
+        if (!rules)
+            g_hash_table_insert(sheet->index, g_strdup(key), rules = g_ptr_array_new());
+        g_ptr_array_add(rules, rule);
+        g_free(key);
+    }
+}
+
 css_sheet *plb_css_new(xmlDoc *doc)
 {
     css_sheet *sheet = g_new0(css_sheet, 1);
@@ -155,11 +181,13 @@ css_sheet *plb_css_new(xmlDoc *doc)
         g_free(text);
         xmlFree(content);
     }
+    make_index(sheet);
     return sheet;
 }
 
 void plb_css_free(css_sheet *sheet)
 {
+    g_hash_table_destroy(sheet->index);
     g_array_free(sheet->rules, TRUE);
     g_ptr_array_free(sheet->blocks, TRUE);
     g_free(sheet);
@@ -332,6 +360,39 @@ static int by_specificity(gconstpointer a, gconstpointer b)
     return *one < *other ? -1 : *one > *other; /* both lie in the array of rules, in the document's order */
 }
 
+/* Adds the rules under `sign` and the name that match the element. */
+static void add_fitting(const css_sheet *sheet, const xmlNode *n, const char *sign, const char *name, size_t length, GPtrArray *fitting)
+{
+    char *key = g_strdup_printf("%s%.*s", sign, (int)length, name);
+    GPtrArray *rules = g_hash_table_lookup(sheet->index, key);
+    for (guint i = 0; rules && i < rules->len; i++) {
+        css_rule *rule = rules->pdata[i];
+        if (matches_parts(n, rule, rule->n - 1))
+            g_ptr_array_add(fitting, rule);
+    }
+    g_free(key);
+}
+
+/* Gives the rules that match the element, the strongest last: only those are tried that ask for its name, its id, one of its classes, or none of these. */
+static GPtrArray *find_fitting(const css_sheet *sheet, const xmlNode *n)
+{
+    GPtrArray *fitting = g_ptr_array_new();
+    char *id = plb_node_get(n, "id"), *classes = plb_node_get(n, "class");
+    add_fitting(sheet, n, "", "", 0, fitting);
+    add_fitting(sheet, n, "", (const char *)n->name, strlen((const char *)n->name), fitting);
+    if (id)
+        add_fitting(sheet, n, "#", id, strlen(id), fitting);
+    for (const char *at = classes; at && *at; at += strcspn(at, BLANKS)) {
+        at += strspn(at, BLANKS);
+        if (*at)
+            add_fitting(sheet, n, ".", at, strcspn(at, BLANKS), fitting);
+    }
+    g_free(id);
+    g_free(classes);
+    g_ptr_array_sort(fitting, by_specificity);
+    return fitting;
+}
+
 GHashTable *plb_css_declared(const css_sheet *sheet, const xmlNode *n)
 {
     GHashTable *all = g_hash_table_new_full(g_str_hash, g_str_equal, g_free, g_free);
@@ -340,13 +401,7 @@ GHashTable *plb_css_declared(const css_sheet *sheet, const xmlNode *n)
         if (value)
             g_hash_table_insert(all, g_strdup((const char *)a->name), value);
     }
-    GPtrArray *fitting = g_ptr_array_new();
-    for (guint i = 0; i < sheet->rules->len; i++) {
-        css_rule *rule = &g_array_index(sheet->rules, css_rule, i);
-        if (matches_parts(n, rule, rule->n - 1))
-            g_ptr_array_add(fitting, rule);
-    }
-    g_ptr_array_sort(fitting, by_specificity);
+    GPtrArray *fitting = find_fitting(sheet, n);
     for (guint i = 0; i < fitting->len; i++)
         declare(all, ((const css_rule *)fitting->pdata[i])->block);
     g_ptr_array_free(fitting, TRUE);
