@@ -38,7 +38,7 @@ with_tiff := $(shell pkg-config --exists 'libtiff-4 >= 4.5' && echo libtiff-4)
 tiff_library := $(and $(with_tiff),$(shell objdump -p "$$(pkg-config --variable=libdir libtiff-4)/libtiff.so" 2>/dev/null | awk '$$1 == "SONAME" { print $$2 }'))
 packages_linked = cairo libpng zlib libseccomp $(with_jpeg) $(with_webp)
 packages_lib = $(packages_linked) $(with_tiff)
-packages_tap = librsvg-2.0 cairo cairo-script libxml-2.0 fontconfig
+packages_tap = librsvg-2.0 cairo freetype2 cairo-script libxml-2.0 fontconfig
 packages_plain = libxml-2.0
 
 WARN   = -Wall -Wextra -Wpedantic -Wshadow -Wconversion
@@ -146,7 +146,7 @@ tap_common = $(patsubst %,$(O)/tap/common/%.o,$(1))
 script_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/cairoscript*.c)) $(call tap_common,tap_area)
 rewrite_obj = $(patsubst src/%.c,$(O)/%.o,$(call below,src/tap/svg/rewrite,*.c)) $(call tap_common,tap_colour)
 losses_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/svg/losses/*.c))
-svg_obj   = $(O)/tap/svg/tap_svg.o $(losses_obj) $(script_obj) $(rewrite_obj) $(call tap_common,tap_memory tap_page tap_stream) $(tap_base)
+svg_obj   = $(O)/tap/svg/tap_svg.o $(O)/tap/svg/typeset/typeset.o $(losses_obj) $(script_obj) $(rewrite_obj) $(call tap_common,tap_memory tap_page tap_stream) $(tap_base)
 plain_obj = $(patsubst src/%.c,$(O)/%.o,$(wildcard src/tap/plain/plain_*.c)) $(call tap_common,tap_area tap_colour tap_page)
 tap_obj   = $(patsubst src/%.c,$(O)/%.o,$(filter-out src/tap/ps/% src/tap/model/%,$(call below,src/tap,*.c)))
 $(tap_obj): $(O)/tap/%.o: src/tap/%.c $(O)/flags

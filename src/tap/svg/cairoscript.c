@@ -247,6 +247,12 @@ cairoscript *plb_cairoscript_new(list_writer *out, double width, double height, 
     return s;
 }
 
+void plb_cairoscript_listen(cairoscript *s, text_run *(*say)(void *closure, const path *p), void *closure)
+{
+    s->say = say;
+    s->say_closure = closure;
+}
+
 bool plb_cairoscript_feed(cairoscript *s, const char *data, size_t n, error *err)
 {
     if (!array_reserve(&s->text, n))

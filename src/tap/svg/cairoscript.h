@@ -19,6 +19,8 @@ typedef struct script_state cairoscript;
 /* Makes a reader that writes items, clips and gradients to `out`, which lives as long and has its page already: of so
  * many mm, and with `to_page`, from the units of the script's outermost surface, as its matrix. NULL: out of memory. */
 cairoscript *plb_cairoscript_new(list_writer *out, double width, double height, matrix to_page);
+/* Lets `say` tell what a filled path says, in the path's units; NULL: nothing. The text that `say` returns is the reader's. */
+void plb_cairoscript_listen(cairoscript *s, text_run *(*say)(void *closure, const path *p), void *closure);
 /* Takes more of the text, in pieces of any size. False and `err`: the text is no such script, or goes beyond the
  * limits; then nothing more is to be fed. */
 bool plb_cairoscript_feed(cairoscript *s, const char *data, size_t n, error *err);

@@ -20,16 +20,29 @@ static bool count_held(script_state *s, script_surface *f)
     return s->held <= LIST_MAX_POINTS || plb_fail(s->err, ERROR_LIMIT, "the drawing's groups hold more than %u points", LIST_MAX_POINTS);
 }
 
+static void drop_text(item *it)
+{
+    plb_text_run_free(it->text);
+    it->text = NULL;
+}
+
 /* Copies the item, whose path `m` maps to the list; all else is in the list's units. */
 static bool copy_item(script_state *s, const item *from, matrix m, item *to)
 {
     *to = *from;
     to->path = (path){0};
+    to->text = NULL;
     to->dash.v = NULL;
     to->dash.n = to->dash.capacity = 0;
     bool ok = plb_path_append(&to->path, &from->path, m) && array_reserve(&to->dash, from->dash.n);
     for (size_t i = 0; ok && i < from->dash.n; i++)
         to->dash.v[to->dash.n++] = from->dash.v[i];
+    if (ok && from->text) {
+        to->text = plb_text_run_copy(from->text, 1);
+        ok = to->text;
+        if (ok && !plb_text_run_map(to->text, m, false))
+            drop_text(to);
+    }
     if (ok)
         return true;
     plb_item_free(to);
@@ -181,7 +194,7 @@ static bool splice_gradient(script_state *s, script_surface *to, const display_l
     return add_gradient(s, to, &g, &it->gradient);
 }
 
-/* Makes an item of the group, with its path still in the group's units; its dashes are the caller's. */
+/* Makes an item of the group, with its path still in the group's units; its dashes and what it says are the caller's. */
 static bool splice_item(script_state *s, const item *from, double scale, item *it)
 {
     *it = *from;
@@ -189,8 +202,11 @@ static bool splice_item(script_state *s, const item *from, double scale, item *i
     it->dash_offset *= scale;
     it->dash.v = NULL;
     it->dash.n = it->dash.capacity = 0;
-    if (!array_reserve(&it->dash, from->dash.n))
+    it->text = from->text ? plb_text_run_copy(from->text, scale) : NULL;
+    if ((from->text && !it->text) || !array_reserve(&it->dash, from->dash.n)) {
+        drop_text(it);
         return plb_fail_memory(s->err);
+    }
     for (size_t i = 0; i < from->dash.n; i++)
         it->dash.v[it->dash.n++] = from->dash.v[i] * scale;
     return true;
@@ -227,6 +243,7 @@ static bool splice(script_state *s, const script_context *c, int outer, double a
         it.paint = as_applied(c, it.paint);
         ok = splice_gradient(s, to, group, out, alpha, &it) && add_item(s, to, &it, out);
         array_free(&it.dash);
+        drop_text(&it);
     }
     plb_free(where);
     return ok;
@@ -257,7 +274,12 @@ bool plb_script_fill(script_state *s, script_context *c)
     if (!start_item(s, c, ITEM_FILL, &it))
         return false;
     it.even_odd = c->even_odd;
-    return add_item(s, c->target, &it, c->target->to_list);
+    it.text = s->say ? s->say(s->say_closure, &it.path) : NULL;
+    if (it.text)
+        it.text->em *= plb_matrix_expansion(c->target->to_list);
+    bool ok = add_item(s, c->target, &it, c->target->to_list);
+    drop_text(&it);
+    return ok;
 }
 
 static bool set_dash(script_state *s, const script_context *c, double scale, item *it)

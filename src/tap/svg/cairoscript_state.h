@@ -108,6 +108,8 @@ typedef struct script_state {
     matrix written;    /* the map to mm that `out` has */
     matrix to_page;    /* from the outermost surface's units to mm */
     bool has_page;  /* the outermost surface was made */
+    text_run *(*say)(void *closure, const path *p); /* NULL: nobody knows what paths say */
+    void *say_closure;
     size_t objects, held; /* alive: objects; points on groups, items counted as some */
     error *err;
 } script_state;

@@ -21,6 +21,7 @@
 #include "tap/svg/cairoscript.h"
 #include "tap/svg/losses/missing_glyphs.h"
 #include "tap/svg/rewrite/rewrite.h"
+#include "tap/svg/typeset/typeset.h"
 
 #include <cairo-script.h>
 #include <fontconfig/fontconfig.h>
@@ -431,6 +432,8 @@ static void write_list(RsvgHandle *svg, const GByteArray *text, const tap_page *
     from_cairo.script = plb_cairoscript_new(&out, sheet.width, sheet.height, sheet.to_page);
     if (!from_cairo.script)
         quit(TAP_LIMIT, "out of memory");
+    plb_cairoscript_listen(from_cairo.script, plb_typeset_recognise, NULL);
+    plb_typeset_forget(); /* what was drawn to try */
     if (!draw(svg, p, by_style, no_text, feed, &from_cairo, why))
         quit(TAP_REFUSED, "%s", why);
     empty(&from_cairo);
