@@ -15,6 +15,8 @@
 
 typedef enum { FILL_HATCH, FILL_OUTLINE, FILL_NONE } fill_style;
 typedef enum { TEXT_HAND, TEXT_OUTLINE, TEXT_NONE } text_style;
+/* Characters are the middle lines of the font's, or, where they are known, those of a hand's alphabet. */
+typedef enum { LETTERING_FONT, LETTERING_HAND } lettering_style;
 /* A tone_scale says how dark a pencil's hatching comes out: the mean darkness (0 paper, 1 black) of an area hatched
  * with each of TONE_STEPS efforts, evenly from the faintest to the darkest; rising (hatch_tone.c). */
 #define TONE_STEPS 9
@@ -26,6 +28,7 @@ typedef struct {
 typedef struct {
     fill_style fill;
     text_style text;
+    lettering_style lettering;
     bool colour;         /* each stroke in its paint's own colour */
     double pencil_width; /* of a line at half depth, mm: what one stroke of an outline or a letter covers */
     double shade_width;  /* … and what one of hatching, solids and wide lines covers, which are made with the side of the lead */

@@ -71,6 +71,7 @@ plan_options plb_api_plan_options(const plb_options *o)
 {
     plan_options plan = plb_plan_options_default();
     plan.text = (text_style)o->text;
+    plan.lettering = (lettering_style)o->lettering;
     plan.fill = (fill_style)o->fill;
     plan.is_touched = plb_model_at((size_t)o->model)->is_measured;
     plan.point = plb_api_point(o);

@@ -50,6 +50,7 @@ struct plb_options {
     int handed;           /* handedness */
     int fill;             /* fill_style */
     int text;             /* text_style */
+    int lettering;        /* lettering_style */
     int background;       /* page_background */
     int point;            /* pencil_point */
     int shade;            /* pencil_shade, or from SHADE_GRADES on a grade */

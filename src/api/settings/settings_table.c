@@ -104,6 +104,8 @@ static const setting table[] = {
      FIELD(fill), WORDS(WORD("hatch", FILL_HATCH), WORD("outline", FILL_OUTLINE), WORD("none", FILL_NONE))},
     {{"text", 0, "What is drawn", PLB_SETTING_CHOICE, NULL, 0, 0, "", "hand", "what becomes of lettering", LOAD},
      FIELD(text), WORDS(WORD("hand", TEXT_HAND), WORD("outline", TEXT_OUTLINE), WORD("none", TEXT_NONE))},
+    {{"lettering", 0, "What is drawn", PLB_SETTING_CHOICE, NULL, 0, 0, "", "font", "letters in the font's shapes, or known ones in a hand's alphabet", LOAD},
+     FIELD(lettering), WORDS(WORD("font", LETTERING_FONT), WORD("hand", LETTERING_HAND))},
     {{"colour", 0, "What is drawn", PLB_SETTING_FLAG, NULL, 0, 0, "", "off", "each line with a pencil of its own colour, not all graphite (also --color)", LOAD | DRAW},
      FIELD(colour)},
 

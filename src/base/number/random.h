@@ -27,6 +27,7 @@ typedef enum {
     PURPOSE_ARM = 23,     /* parameters of an arm's movement */
     PURPOSE_PASS = 40,    /* places of the passes of a wide line */
     PURPOSE_DASH = 41,    /* lengths of dashes and gaps */
+    PURPOSE_LETTER = 42,  /* forms, size, lean and place of letters */
     PURPOSE_HATCH = 50,   /* places, ends and pressure of hatch lines */
     PURPOSE_POINT = 51,   /* how far the point is worn at a place */
     PURPOSE_TOUCH = 52    /* how hard the hand presses at a place, and a stroke */

@@ -9,6 +9,7 @@
 
 #include "base/geometry/interpolate.h"
 #include "plan/item/wide.h"
+#include "plan/letter/hand/hand.h"
 
 #include <math.h>
 #include <string.h>
@@ -44,6 +45,7 @@ typedef struct {
     bool is_alone; /* one part */
     float pressure;
     size_t letters; /* parts that are no dots */
+    size_t by_hand; /* strokes of the hand's alphabet, which come first */
     track_list strokes;
     ARRAY(double) breadths; /* of each stroke, mm; 0: the pencil's */
     double breadth;         /* of the part at work */
@@ -278,6 +280,35 @@ static bool take_stroke(const lettering *l, size_t i, const item *fill, track_li
     return ok;
 }
 
+/* Letters the characters that the alphabet has, and draws the middle lines of the rest. *taken is false, and no stroke there, where the rest is
+ * not like lettering. */
+static bool draw_by_hand(lettering *l, const item *fill, bool *taken, error *err)
+{
+    item rest = {.kind = ITEM_FILL, .paint = fill->paint, .even_odd = fill->even_odd};
+    letter_parts parts = {0};
+    double breadth = breadth_of(l, l->stem), inset = fmax(fmin(l->stem, l->options->pencil_width), breadth) / 2;
+    *taken = is_thin(l, l->stem);
+    if (!*taken)
+        return true;
+    bool ok = plb_hand_letters(fill, inset, l->options->seed, &l->strokes, &rest.path) || plb_fail_memory(err);
+    for (size_t i = 0; ok && i < l->strokes.tracks.n; i++) {
+        l->strokes.tracks.v[i].style.pressure = l->pressure;
+        ok = array_push(&l->breadths, breadth) || plb_fail_memory(err);
+    }
+    l->by_hand = l->strokes.tracks.n;
+    l->letters += l->by_hand > 0;
+    if (ok && rest.path.ops.n)
+        ok = plb_letter_split(&parts, &rest, err) && (!parts.parts.n || draw_parts(l, &parts, taken, err));
+    plb_letter_parts_free(&parts);
+    plb_path_free(&rest.path);
+    if (*taken && l->strokes.tracks.n)
+        return ok;
+    plb_tracks_clear(&l->strokes);
+    l->breadths.n = l->by_hand = l->letters = 0;
+    *taken = false;
+    return ok;
+}
+
 bool plb_plan_letter(const item *fill, letter_run run, const plan_options *o, glyph_store *glyphs, bool *taken, track_list *out, error *err)
 {
     lettering l = {.options = o, .glyphs = glyphs, .run = run};
@@ -287,9 +318,11 @@ bool plb_plan_letter(const item *fill, letter_run run, const plan_options *o, gl
         return false;
     measure(&l, &parts);
     l.pressure = pressure_of(&l);
-    bool ok = draw_parts(&l, &parts, taken, err);
+    bool ok = !fill->text || o->lettering != LETTERING_HAND || !parts.parts.n || draw_by_hand(&l, fill, taken, err);
+    ok = ok && (*taken || draw_parts(&l, &parts, taken, err));
     for (size_t i = 0; ok && *taken && i < l.strokes.tracks.n; i++) {
-        turn_by_hand(&l.strokes, i);
+        if (i >= l.by_hand)
+            turn_by_hand(&l.strokes, i);
         ok = take_stroke(&l, i, fill, out, err);
     }
     plb_tracks_free(&l.strokes);
