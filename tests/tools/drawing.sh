@@ -5,11 +5,17 @@
 #   segments   N straight lines as a CAD plan has them, on 2000 by 1500 px: walls, doors, hatching, dimensions
 #   curves     N cubic curves, each a path of its own, on 2000 by 1500 px
 #   strokes    N lines of 13 mm anywhere on A4
+#   labels     N numbers of four digits and a letter in rows and columns on A4, in letters of 2 mm
+#   fills      N discs, boxes and triangles of 1 to 3 mm anywhere on A4, each in a colour of its own
+#   scatter    N open circles of 1.4 mm, denser in the middle of A4
+#   contours   N contour lines of 200 points around four peaks on A4
 #   hatching   a page of 6,000 hatch lines in fields of several directions, on 2000 by 1500 px
 LC_ALL=C awk -v kind="$1" -v n="${2:-0}" '
 function page(w, h, width) {
     printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"%d\" height=\"%d\" fill=\"none\" stroke=\"#000\" stroke-width=\"%s\">\n", w, h, width
 }
+# A4, lying, in units of 1/96 inch.
+function sheet() { print "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"297mm\" height=\"210mm\" viewBox=\"0 0 1122.5 793.7\" font-family=\"sans-serif\" font-size=\"7\">" }
 # Two decimals, as CAD programs write them.
 function line(x0, y0, x1, y1) { if (drawn++ < n) printf "<path d=\"M%.2f %.2fL%.2f %.2f\"/>\n", x0, y0, x1, y1 }
 function box(x, y, w, h) { line(x, y, x + w, y); line(x + w, y, x + w, y + h); line(x + w, y + h, x, y + h); line(x, y + h, x, y) }
@@ -69,6 +75,36 @@ function hatching(    i, j, k, x, y) {
         }
     }
 }
+function labels(    k, across) {
+    across = int(sqrt(n * .47)) + 1
+    for (k = 0; k < n; k++)
+        printf "<text x=\"%.2f\" y=\"%.2f\">%s%d</text>\n", 10 + k % across * 1100 / across, 12 + int(k / across) * 775 * across / n, substr("xyPT", k % 4 + 1, 1), k * 7919 % 9000 + 1000
+}
+function colour() { return sprintf("#%02x%02x%02x", random(0, 256), random(0, 256), random(0, 256)) }
+function fills(    k, x, y, s) {
+    for (k = 0; k < n; k++) {
+        x = random(10, 1100); y = random(10, 780); s = random(2, 5)
+        if (k % 3 == 0) printf "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"%.2f\" fill=\"%s\"/>\n", x, y, s, colour()
+        else if (k % 3 == 1) printf "<rect x=\"%.2f\" y=\"%.2f\" width=\"%.2f\" height=\"%.2f\" fill=\"%s\"/>\n", x, y, 2 * s, s, colour()
+        else printf "<path d=\"M%.2f %.2fl%.2f %.2fh%.2fz\" fill=\"%s\"/>\n", x, y, s, 2 * s, -2 * s, colour()
+    }
+}
+function scatter(    k) {
+    for (k = 0; k < n; k++)
+        printf "<circle cx=\"%.2f\" cy=\"%.2f\" r=\"2.7\" fill=\"none\" stroke=\"#000\" stroke-width=\".75\"/>\n", \
+            560 + random(-180, 180) + random(-180, 180) + random(-180, 180), 397 + random(-120, 120) + random(-120, 120) + random(-120, 120)
+}
+function contours(    k, j, a, r, x, y, w) {
+    for (k = 0; k < n; k++) {
+        x = 300 + k % 2 * 500; y = 240 + int(k / 2) % 2 * 300; r = 6 + k * 225 / n
+        printf "<path fill=\"none\" stroke=\"#000\" stroke-width=\".75\" d=\"M"
+        for (j = 0; j < 200; j++) {
+            a = j * .031415926; w = r * (1 + .15 * sin(3 * a + k % 4) + .08 * sin(7 * a))
+            printf "%.2f %.2f ", x + w * cos(a), y + .8 * w * sin(a)
+        }
+        print "z\"/>"
+    }
+}
 BEGIN {
     state = 20081
     if (kind == "barn") { n = 40; page(800, 600, "1.5"); barn() }
@@ -76,6 +112,10 @@ BEGIN {
     else if (kind == "curves") { page(2000, 1500, "1"); for (k = 0; k < n; k++) curve() }
     else if (kind == "strokes") { page(794, 1123, "1"); strokes() }
     else if (kind == "hatching") { n = 6000; page(2000, 1500, "1"); hatching() }
-    else { print "usage: drawing.sh barn|segments|curves|strokes|hatching [N]" >"/dev/stderr"; exit 2 }
+    else if (kind == "labels") { sheet(); labels() }
+    else if (kind == "fills") { sheet(); fills() }
+    else if (kind == "scatter") { sheet(); scatter() }
+    else if (kind == "contours") { sheet(); contours() }
+    else { print "usage: drawing.sh barn|segments|curves|strokes|hatching|labels|fills|scatter|contours [N]" >"/dev/stderr"; exit 2 }
     print "</svg>"
 }'
