@@ -51,6 +51,8 @@ between "lines .5 mm apart, with a blunt point" 1.8 2 "$(factor --point blunt pa
 between "a broader pencil needs more" "$(awk -v f="$(factor --point blunt pairs-.5.svg)" 'BEGIN { print f + .2 }')" 4 "$(factor --point blunt -p 8B pairs-.5.svg)"
 svg 80 60 "$(awk 'BEGIN { for (y = 4; y < 56; y += .4) printf "<path d=\"M5 %gH75\"/>", y }')" >dense.svg
 is "dense hatching is a tone" "$(factor dense.svg)" 1
+svg 80 60 "$(awk 'BEGIN { srand(7); for (i = 0; i < 300; i++) printf "<path d=\"M5 %gH75\"/>", 5 + 30 * rand() }')" >texture.svg
+is "an uneven texture is a tone, too" "$(factor texture.svg)" 1
 svg 80 60 "$(awk 'BEGIN { for (a = 0; a < 180; a += 2) printf "<path d=\"M40 30L%g %g\"/>", 40 + 28 * cos(a / 57.3), 30 + 28 * sin(a / 57.3) }')" >rays.svg
 is "rays that meet are no neighbours" "$(factor rays.svg)" 1
 

@@ -23,6 +23,8 @@
 #define SAME_WIDTHS 0.1
 /* Gaps to either side are even when they differ by less than this share of their sum (chosen by eye: hatching by hand passes). */
 #define EVEN 0.2
+/* A line with so many others within reach lies in a texture, which is a tone as well (chosen by eye: walls of two and three lines are none). */
+#define MANY 3
 /* Lines run side by side when the sine of the angle between them is smaller (6 degrees, chosen by eye: lines that meet at a
  * point, or circles that touch, are no neighbours, contours of a map are). */
 #define SAME_WAY 0.1
@@ -147,8 +149,24 @@ bool plb_line_gaps_add(line_gaps *g, const subpath *s)
     return true;
 }
 
-/* Narrows the gap, in pencil widths, to either side of sample `s` by that to the sample `t`. */
-static void look_at(const line_gaps *g, const gap_sample *s, const gap_sample *t, double gap[2])
+/* A look at what lies beside a sample. */
+typedef struct {
+    double gap[2];         /* to either side, pencil widths */
+    uint32_t beside[MANY]; /* the lines there … */
+    int n;                 /* … as far as they are counted */
+} side_look;
+
+static void count_line(side_look *l, uint32_t line)
+{
+    for (int i = 0; i < l->n; i++)
+        if (l->beside[i] == line)
+            return;
+    if (l->n < MANY)
+        l->beside[l->n++] = line;
+}
+
+/* Narrows the gap to either side of sample `s` by that to the sample `t`. */
+static void look_at(const line_gaps *g, const gap_sample *s, const gap_sample *t, side_look *l)
 {
     if (t->line == s->line && fabs((double)(t->along - s->along)) < ROUND_WIDTHS * g->width)
         return;
@@ -156,20 +174,23 @@ static void look_at(const line_gaps *g, const gap_sample *s, const gap_sample *t
     double off = point_cross(s->way, d) / g->width, ahead = fabs(point_dot(s->way, d));
     if (ahead > 0.75 * g->width || fabs(point_cross(s->way, t->way)) > SAME_WAY || fabs(off) < SAME_WIDTHS)
         return;
-    gap[off < 0] = fmin(gap[off < 0], fabs(off));
+    if (fabs(off) < APART_WIDTHS)
+        count_line(l, t->line);
+    l->gap[off < 0] = fmin(l->gap[off < 0], fabs(off));
 }
 
 /* Gives the gap beside a sample as a share of what it must be; 1 where there is enough room, hatching, or no help. */
 static double share_of_gap(const line_gaps *g, const gap_sample *s)
 {
-    double gap[2] = {APART_WIDTHS, APART_WIDTHS};
+    side_look l = {.gap = {APART_WIDTHS, APART_WIDTHS}};
     int64_t column = plb_grid_cell(&g->cells, s->at.x), row = plb_grid_cell(&g->cells, s->at.y);
     for (int64_t r = row - 1; r <= row + 1; r++)
         for (int64_t c = column - 1; c <= column + 1; c++)
             for (uint32_t e = plb_grid_first(&g->cells, c, r); e != GRID_END; e = g->cells.entries.v[e].next)
-                look_at(g, s, &g->samples.v[g->cells.entries.v[e].value], gap);
-    bool is_even = fmax(gap[0], gap[1]) < APART_WIDTHS && fabs(gap[0] - gap[1]) < EVEN * (gap[0] + gap[1]);
-    return is_even || fmin(gap[0], gap[1]) < TOO_CLOSE_WIDTHS ? 1 : fmin(gap[0], gap[1]) / APART_WIDTHS;
+                look_at(g, s, &g->samples.v[g->cells.entries.v[e].value], &l);
+    double least = fmin(l.gap[0], l.gap[1]), most = fmax(l.gap[0], l.gap[1]);
+    bool is_tone = l.n >= MANY || (most < APART_WIDTHS && most - least < EVEN * (most + least));
+    return is_tone || least < TOO_CLOSE_WIDTHS ? 1 : least / APART_WIDTHS;
 }
 
 bool plb_line_gaps_need(line_gaps *g, double *need)
