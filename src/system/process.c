@@ -327,7 +327,7 @@ static bool wait_for_ends(process *p, struct pollfd ends[3])
     ends[1] = (struct pollfd){.fd = p->out, .events = POLLIN};
     ends[2] = (struct pollfd){.fd = p->err, .events = POLLIN};
     for (;;) {
-        int n = poll(ends, 3, (int)(1000 * WATCH_TICK));
+        int n = poll(ends, 3, (int)(1000 * plb_watch_tick(&p->watch)));
         if (!may_go_on(p) || (n < 0 && errno != EINTR))
             return false;
         if (n > 0)
@@ -372,7 +372,7 @@ static bool reap(process *p, int *status)
     plb_watch_resume(&p->watch);
     while ((r = wait4(p->pid, status, WNOHANG, &use)) == 0 || (r < 0 && errno == EINTR)) {
         struct pollfd one = {.fd = p->err, .events = POLLIN};
-        if (poll(&one, 1, p->err < 0 ? 1 : (int)(1000 * WATCH_TICK)) > 0)
+        if (poll(&one, 1, p->err < 0 ? 1 : (int)(1000 * plb_watch_tick(&p->watch))) > 0)
             read_message(p);
         if (!is_forced && p->end == PROCESS_RUNNING && !may_go_on(p)) {
             kill(p->pid, SIGKILL);

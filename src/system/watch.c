@@ -47,7 +47,7 @@ void plb_watch_resume(process_watch *w) { w->looked = now(); }
 
 /* Adds up what the folder's files occupy; false when there are too many, or one has reached its limit. None can be hidden: the
  * program may neither remove nor rename any. */
-static bool fits(const process_watch *w)
+static bool fits(process_watch *w)
 {
     DIR *folder = opendir(w->scratch);
     uint64_t total = 0;
@@ -63,6 +63,7 @@ static bool fits(const process_watch *w)
     }
     if (folder)
         closedir(folder);
+    w->is_filling = total > w->max_bytes / 2;
     return total <= w->max_bytes && files <= FILES_MAX && !is_at_limit;
 }
 
@@ -88,6 +89,8 @@ static unsigned long threads_of(pid_t pid)
     return at ? strtoul(at, NULL, 10) : 0;
 }
 
+double plb_watch_tick(const process_watch *w) { return w->is_filling ? WATCH_TICK_SHORT : WATCH_TICK; }
+
 watch_result plb_watch_check(process_watch *w, error *err)
 {
     w->checked = now();
@@ -110,5 +113,5 @@ watch_result plb_watch_look(process_watch *w, error *err)
     w->waited += fmin(w->looked - before, 2 * WATCH_TICK);
     if (w->waited > w->patience && w->waited > w->patience + processor_time(w->pid) / SHARE_MIN)
         return WATCH_STALLED;
-    return w->looked - w->checked >= WATCH_TICK ? plb_watch_check(w, err) : WATCH_FINE;
+    return w->looked - w->checked >= plb_watch_tick(w) ? plb_watch_check(w, err) : WATCH_FINE;
 }

@@ -11,7 +11,8 @@
 #include <stddef.h>
 #include <sys/types.h>
 
-#define WATCH_TICK 0.02 /* s between two looks; chosen by eye: a fast disk takes 20 MB meanwhile */
+#define WATCH_TICK 0.02       /* s between two looks. Chosen by eye: short beside a person's patience, long beside what a look costs */
+#define WATCH_TICK_SHORT 0.001 /* s between two looks once half of the allowed bytes are written: memory takes 3 MB meanwhile */
 #define WATCH_THREADS_MAX 32
 
 typedef struct {
@@ -23,6 +24,7 @@ typedef struct {
     double waited;       /* s of waiting until now, in which we were awake */
     double looked;       /* by the clock: the last look */
     double checked;      /* by the clock: the last look at files and threads */
+    bool is_filling;     /* its files hold more than half of max_bytes */
 } process_watch;
 
 typedef enum { WATCH_FINE, WATCH_STALLED, WATCH_OVERSTEPPED } watch_result;
@@ -33,6 +35,8 @@ void plb_watch_resume(process_watch *w);
  * and for each second of its processor time the program may take a hundred by the clock. WATCH_OVERSTEPPED: `err` says what it
  * did ("writes more than ..."). */
 watch_result plb_watch_look(process_watch *w, error *err);
+/* Returns the time until the next look is due, s: shorter when the files come near their limit. */
+double plb_watch_tick(const process_watch *w);
 /* Looks at the files and threads alone, at any time. */
 watch_result plb_watch_check(process_watch *w, error *err);
 
