@@ -86,6 +86,8 @@ void plb_list_transform(display_list *list, matrix m)
             plb_text_run_free(it->text);
             it->text = NULL;
         }
+        if (it->is_directed)
+            it->direction = plb_matrix_turn(m, it->direction);
         it->width *= f;
         it->dash_offset *= f;
         for (size_t k = 0; k < it->dash.n; k++)

@@ -60,6 +60,8 @@ typedef struct {
     unsigned gradient; /* with PAINT_GRADIENT: 1 + an index into gradients, or 0: only the mean colour is known */
     int clip;       /* index into clips, or NO_CLIP */
     bool even_odd;  /* fills: the rule */
+    bool is_directed; /* fills: their hatching runs in this … */
+    double direction; /* … direction, degrees clockwise from the right; else the plan chooses */
     text_run *text; /* fills: what the path says; NULL: nothing is known. Owned */
     line_cap cap;   /* strokes, as the rest below */
     double width;   /* mm; 0: the thinnest line */

@@ -34,6 +34,20 @@ fi
 "$PLUMBAGO" -q -d 100 -o second.png gradients.list
 same "the picture of a dump is the picture" first.png second.png
 
+# Hatching runs where the list says, and turns with the list's matrix.
+directions() { # the mean direction of the hatching of a fill with these words, degrees from 0 to 179
+    printf '%s\n' 'plumbago-list 1' 'page 60 60' "$1" "fill - colour 0.7 0.7 0.7 1 nonzero $2 M 10 10 L 50 10 L 50 50 L 10 50 Z" end >hatched.list
+    "$PLUMBAGO" -q --dump=strokes hatched.list | awk '/ hatch / { for (i = 1; i < NF && $i != "graphite"; i++); a = 2 * atan2($NF - $(i + 2), $(NF - 1) - $(i + 1)); c += cos(a); s += sin(a) }
+        END { d = atan2(s, c) * 90 / 3.14159265; printf "%d", d < -0.5 ? d + 180.5 : d + 0.5 }'
+}
+near() { local off=$(((${2:-999} - $3 + 270) % 180 - 90)); check "$1: $2" test "${off#-}" -le 8; } # a hand strays
+near "hatching along" "$(directions 'matrix 1 0 0 1 0 0' 'hatch 0')" 0
+near "hatching down" "$(directions 'matrix 1 0 0 1 0 0' 'hatch -90')" 90
+near "hatching at 30 degrees" "$(directions 'matrix 1 0 0 1 0 0' 'hatch 30')" 30
+near "the same, turned over" "$(directions 'matrix -1 0 0 1 60 0' 'hatch 30')" 150
+there_and_back hatched.list
+refuses "a direction beyond a turn" 'direction of hatching' - <<<"$(sed 's/hatch 30/hatch 361/' hatched.list)"
+
 # Omissions in a list are told again, and once.
 printf '%s\n' '<svg xmlns="http://www.w3.org/2000/svg" width="99" height="99"><path d="M9 9h50" stroke="black"/><path d="M900 9h50" stroke="black"/><image width="9" height="9"/></svg>' >lost.svg
 plumbago -v --dump=list lost.svg && cp "$TMP/out" lost.list

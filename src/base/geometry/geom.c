@@ -45,6 +45,14 @@ double plb_matrix_expansion(matrix m)
     return sqrt(fabs(plb_matrix_determinant(m)));
 }
 
+double plb_matrix_turn(matrix m, double degrees)
+{
+    double a = degrees * PLB_PI / 180;
+    point along = plb_matrix_apply_vector(m, (point){cos(a), sin(a)});
+    double turned = atan2(along.y, along.x) * 180 / PLB_PI;
+    return plb_point_length(along) > 0 && isfinite(turned) ? turned : degrees;
+}
+
 bool plb_point_is_steep(point way)
 {
     return fabs(way.y) > 1.7320508 * fabs(way.x);

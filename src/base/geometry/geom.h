@@ -36,6 +36,9 @@ double plb_matrix_determinant(matrix m);
 bool plb_matrix_invert(matrix m, matrix *out);
 /* Returns the mean factor by which lengths grow: the square root of that of areas. */
 double plb_matrix_expansion(matrix m);
+/* Returns the direction that lines in the given one have after the mapping, degrees from x towards y, above -180 to 180; the given one where
+ * the mapping leaves them no length. */
+double plb_matrix_turn(matrix m, double degrees);
 
 static inline point plb_matrix_apply(matrix m, point p)
 {

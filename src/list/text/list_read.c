@@ -423,6 +423,19 @@ static bool take_character(reader *r, size_t *subpaths)
     return array_push(&r->text.characters, c) || plb_fail_memory(r->err);
 }
 
+/* Reads the direction of a fill's hatching, where the text has one. */
+static bool take_direction(reader *r, item *it)
+{
+    it->is_directed = is(r, LIST_HATCH);
+    if (!it->is_directed)
+        return true;
+    if (!next(r) || !take_number(r, -360, 360, "the direction of hatching", &it->direction))
+        return false;
+    if (r->is_mapped)
+        it->direction = plb_matrix_turn(r->to_page, it->direction);
+    return true;
+}
+
 static bool is_character(const reader *r)
 {
     size_t n = strlen(LIST_CHARACTER);
@@ -471,7 +484,7 @@ static bool read_item(reader *r, item_kind kind)
     bool good = take_clip(r, &it.clip) && take_paint(r, &it);
     r->text.characters.n = 0;
     if (good && kind == ITEM_FILL)
-        good = take_one(r, plb_list_rules, "nonzero or evenodd", &rule) && take_text(r, &subpaths);
+        good = take_one(r, plb_list_rules, "nonzero or evenodd", &rule) && take_direction(r, &it) && take_text(r, &subpaths);
     else if (good)
         good = take_pen(r, &it);
     it.even_odd = rule == 1;

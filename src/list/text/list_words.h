@@ -12,6 +12,7 @@ static const char *const plb_list_shapes[] = {"linear", "radial"};
 static const char *const plb_list_extends[] = {"ends", "pad", "repeat", "reflect"};
 static const char *const plb_list_rules[] = {"nonzero", "evenodd"};
 static const char *const plb_list_caps[] = {"butt", "round", "square"};
+#define LIST_HATCH "hatch"    /* before the direction of a fill's hatching */
 #define LIST_TEXT "text"      /* before what a fill says */
 #define LIST_CHARACTER "U+" /* before a character's codes, in hexadecimal digits */
 

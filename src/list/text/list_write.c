@@ -248,6 +248,10 @@ void plb_list_writer_item(list_writer *w, const item *it)
         put_word(w, plb_list_rules[it->even_odd]);
     else
         put_pen(w, it);
+    if (it->kind == ITEM_FILL && it->is_directed) {
+        put_word(w, LIST_HATCH);
+        put_number(w, it->direction);
+    }
     if (it->text && it->text->characters.n)
         put_what_it_says(w, it->text);
     put_path(w, &it->path);

@@ -114,7 +114,8 @@ static bool add_tone(const hatcher *h, const shape *s, const item *fill, tone_so
     if (how.coarser > 1)
         q = plb_single_layer(q, t.is_soft ? h->options->soft_width : h->options->shade_width, how.coarser);
     uint64_t key = random_key(h->options->seed, s->identity, PURPOSE_HATCH);
-    double direction = (how.is_told ? HATCH_HABIT : plb_hatch_direction(h, fill)) + how.turn + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
+    bool is_of_manner = how.is_told && !fill->is_directed;
+    double direction = (is_of_manner ? HATCH_HABIT : plb_hatch_direction(h, fill)) + (fill->is_directed ? 0 : how.turn) + DIRECTION_STRAY * (2 * random_unit(key, 1) - 1);
     bool ok = true;
     for (int k = 0; ok && k < HATCH_LAYERS; k++) {
         hatch_layer l = {direction + k * SECOND_ANGLE, q.spacing[k] * h->coarser, q.pressure[k], k, q.spacing[k], t.field ? t.field->finest : 0, t.gradient || t.field ? &t : NULL};

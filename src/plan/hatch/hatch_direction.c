@@ -54,7 +54,7 @@ static hatch_family *family_of(hatcher *h, const paint *p)
 void plb_hatch_direction_learn(hatcher *h, const item *fill)
 {
     wire w = wire_of(&fill->path);
-    if (!(w.length > 0))
+    if (!(w.length > 0) || fill->is_directed)
         return;
     double x = w.x / w.length, y = w.y / w.length;
     double xx = w.xx / w.length - x * x, yy = w.yy / w.length - y * y, xy = w.xy / w.length - x * y;
@@ -69,6 +69,8 @@ void plb_hatch_direction_learn(hatcher *h, const item *fill)
 
 double plb_hatch_direction(const hatcher *h, const item *fill)
 {
+    if (fill->is_directed)
+        return fill->direction * PLB_PI / 180;
     const hatch_family *f = family_of((hatcher *)h, &fill->paint);
     if (f->weight > 0 && sqrt(f->cosine * f->cosine + f->sine * f->sine) > AGREEMENT * f->weight)
         return atan2(f->sine, f->cosine) / 2;
