@@ -85,7 +85,7 @@ if command -v gs >/dev/null && command -v pdftocairo >/dev/null; then
         wait $reader
         is "Ghostscript fills the disk: one line" "$? $(cat "$TMP/err")" \
             "1 plumbago: fill.ps: Ghostscript writes more temporary files than it may (64 MB)"
-        # What is written between two looks of the watch comes on top; a busy machine looks late. Without a watch it is the disk that ends it.
+        # The bytes written between two looks of the watch come on top, and a busy machine looks late. Without a watch the disk ends it.
         check "its temporary files end near the limit: $top KiB" test $top -gt 0 -a $top -le $((2 * 64 * 1024))
         is "and are gone" "$(ls fill)" ""
         rm -rf fill
