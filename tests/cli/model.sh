@@ -49,6 +49,11 @@ for up in x y z; do list --up $up "$models/chair.obj" >"up$up"; done
 is "the axis that points upwards" "$(md5sum upx upy upz | cut -d' ' -f 1 | sort -u | wc -l)" 3
 # A tube of eight sides has edges along it, when these are sharp.
 is "creases" "$(strokes --view front --light none --crease 60 "$stage/tube.stl") $(strokes --view front --light none --crease 40 "$stage/tube.stl")" "4 13"
+# Facets that turn by 26 degrees, too little for an edge, too much for a smooth surface: the outline runs along them, and all round.
+awk 'BEGIN { for (i = 0; i < 6; i++) printf "v %.6f 0 %.6f\nv %.6f 2 %.6f\n", 8 * cos(i * 1.0471976), 8 * sin(i * 1.0471976), 4 * cos(i * 1.0471976), 4 * sin(i * 1.0471976)
+    for (i = 0; i < 6; i++) printf "f %d %d %d %d\n", 2 * i + 1, 2 * i + 2, 2 * ((i + 1) % 6) + 2, 2 * ((i + 1) % 6) + 1
+    print "f 2 4 6 8 10 12" }' >block.obj
+is "the outline of a coarse mesh" "$(list --view 0,15 --light none block.obj | grep -c 'width 0.5')" 8
 
 # ---- a sheet ----
 for sheet in first-angle third-angle; do

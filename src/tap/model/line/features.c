@@ -65,16 +65,45 @@ static int find_crossings(const view *v, const double *facing, uint32_t t, cross
     return n;
 }
 
+/* Tells whether the triangle is a facet that is seen as one, for a side of it turns far. */
+static bool is_facet(const mesh *m, uint32_t t)
+{
+    for (uint32_t k = 0; k < 3; k++) {
+        uint32_t e = m->side_edge.v[3 * t + k];
+        if (e != NO_TRIANGLE && m->edges.v[e].is_coarse)
+            return true;
+    }
+    return false;
+}
+
+/* Tells whether one of the edge's two triangles faces the eye and the other does not, and one of them is a facet. */
+static bool is_outline_of_facets(const view *v, const edge *e)
+{
+    const mesh *m = v->m;
+    if (e->kind != EDGE_SMOOTH || e->n != 2)
+        return false;
+    uint32_t t = m->halves.v[e->first].side / 3, u = m->halves.v[e->first + 1].side / 3;
+    bool is_t_toward = v->is_front.v[t] != m->is_turned.v[t], is_u_toward = v->is_front.v[u] != m->is_turned.v[u];
+    return is_t_toward != is_u_toward && (is_facet(m, t) || is_facet(m, u));
+}
+
+/* Smooth surfaces have their contour between the corners' normals, coarse ones along their edges. */
 bool plb_line_contours(const view *v, line_pieces *out, error *err)
 {
+    const mesh *m = v->m;
     double *facing = facing_of_groups(v);
     bool ok = facing;
-    for (uint32_t t = 0; ok && t < v->m->triangles.n; t++) {
+    for (uint32_t t = 0; ok && t < m->triangles.n; t++) {
         crossing c[3];
-        if (find_crossings(v, facing, t, c) != 2)
+        if (is_facet(m, t) || find_crossings(v, facing, t, c) != 2)
             continue;
         line_piece p = {c[0].at, c[1].at, c[0].node, c[1].node, NO_TRIANGLE, {t, NO_TRIANGLE}, LINE_CONTOUR};
         ok = array_push(out, p);
+    }
+    for (uint32_t i = 0; ok && i < m->edges.n; i++) {
+        const edge *e = &m->edges.v[i];
+        line_piece p = {v->at.v[e->a], v->at.v[e->b], e->a, e->b, i, {NO_TRIANGLE, NO_TRIANGLE}, LINE_EDGE};
+        ok = !is_outline_of_facets(v, e) || array_push(out, p);
     }
     plb_free(facing);
     return ok || plb_fail_memory(err);

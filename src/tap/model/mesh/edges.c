@@ -56,7 +56,7 @@ static bool group_halves(mesh *m)
         half_edge h = m->halves.v[i];
         for (next = i + 1; next < m->halves.n && m->halves.v[next].a == h.a && m->halves.v[next].b == h.b;)
             next++;
-        edge e = {h.a, h.b, (uint32_t)i, (uint32_t)(next - i), EDGE_SMOOTH};
+        edge e = {h.a, h.b, (uint32_t)i, (uint32_t)(next - i), EDGE_SMOOTH, false};
         if (!array_push(&m->edges, e))
             return false;
     }

@@ -33,6 +33,7 @@ typedef struct {
     uint32_t a, b;     /* places, a < b */
     uint32_t first, n; /* its half edges */
     edge_kind kind;
+    bool is_coarse;    /* smooth, yet it turns so far that the outline of the surface runs along it */
 } edge;
 
 typedef struct {

@@ -117,11 +117,21 @@ static bool drop_stray_creases(mesh *m, double crease)
     return ok;
 }
 
+/* Where facets turn by more than this, degrees, they are seen: the outline is that of the facets, not of a smooth surface between
+ * them, which may lie so far behind them that they hide it. Chosen by eye: tubes of twenty sides are round. */
+#define COARSE_DEGREES 18.5
+
 bool plb_mesh_classify(mesh *m, double crease, error *err)
 {
     for (size_t i = 0; i < m->edges.n; i++)
         m->edges.v[i].kind = kind_of(m, &m->edges.v[i], crease);
-    return drop_stray_creases(m, crease) || plb_fail_memory(err);
+    if (!drop_stray_creases(m, crease))
+        return plb_fail_memory(err);
+    for (size_t i = 0; i < m->edges.n; i++) {
+        edge *e = &m->edges.v[i];
+        e->is_coarse = e->kind == EDGE_SMOOTH && e->n == 2 && acos(-1.) - vector_angle(inward(m, e, 0), inward(m, e, 1)) > COARSE_DEGREES * acos(-1.) / 180;
+    }
+    return true;
 }
 
 /* ---- patches ---- */
