@@ -28,8 +28,9 @@ typedef struct {
     stroke_kind kind;
     bool is_soft;     /* made with the soft pencil that the darks are shaded with, not with the one that draws */
     float breadth;    /* of the lead, times the pencil's captured line, > 0; 0 until the plan knows how worn the point is then */
+    float clear;      /* mm of paper that hatching below leaves on either side of it: of letters; 0: the least that keeps the two apart */
 } stroke_style;
-#define STROKE_STYLE_USUAL ((stroke_style){1, 0, STROKE_LINE, false, 0})
+#define STROKE_STYLE_USUAL ((stroke_style){1, 0, STROKE_LINE, false, 0, 0})
 
 /* A stroke is one movement of the pencil along a smooth line. */
 typedef struct {

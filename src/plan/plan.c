@@ -28,7 +28,7 @@
 plan_options plb_plan_options_default(void)
 {
     static const tone_scale of_hb = {{.053, .084, .126, .179, .275, .394, .51, .601, .654}};
-    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .shade_width = 0.35, .point = 1, .max_length = 1e7, .threads = 1, .seed = 1};
+    return (plan_options){.tone = of_hb, .fill = FILL_OUTLINE, .text = TEXT_HAND, .pencil_width = 0.35, .shade_width = 0.35, .point = 1, .reduction = 1, .max_length = 1e7, .threads = 1, .seed = 1};
 }
 
 /* ---- one item ---- */

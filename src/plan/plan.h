@@ -40,6 +40,7 @@ typedef struct {
     double overshoot;    /* how far lines run past corners at most, mm; 0: they meet */
     double restate;      /* the share of long lines that are drawn twice */
     bool construction;   /* faint lines beyond long lines, and axes of circles */
+    double reduction;    /* the sheet is so many times larger than the page; what is reduced is drawn firmly, to keep its contrast; 1 or more */
     double max_length;   /* of all strokes together, mm; a plan that needs more is an ERROR_LIMIT */
     int threads;         /* at most so many share the work; the strokes are the same */
     uint64_t seed;       /* of the unevenness that a plan itself has: dashes, hatching */

@@ -48,6 +48,38 @@ static void hatching_keeps_clear_of_letters(void)
     plb_stroke_list_free(&list);
 }
 
+/* Level lines under two letters 2 mm apart, which ask for so much paper round them: gives the ink in the space between the letters, mm, and
+ * how near the lines end to the first letter. */
+static double ink_between(double clear, double *nearest)
+{
+    stroke_list list = {.width = 100, .height = 100};
+    double ink = 0;
+    *nearest = 100;
+    for (int i = 0; i < 20; i++)
+        add(&list, 20, 40 + .3 * i, 80, 40 + .3 * i, STROKE_HATCH);
+    add(&list, 50, 41, 50, 45, STROKE_LETTER)->style.clear = (float)clear;
+    add(&list, 52, 41, 52, 45, STROKE_LETTER)->style.clear = (float)clear;
+    CHECK(plb_plan_clearance(&list, 0.2, NULL));
+    for (size_t i = 0; i < list.strokes.n; i++) {
+        const point *v = list.points.v + list.strokes.v[i].first;
+        if (list.strokes.v[i].style.kind != STROKE_HATCH || v[0].y < 41.2 || v[0].y > 44.8)
+            continue;
+        ink += fmax(0, fmin(v[1].x, 52) - fmax(v[0].x, 50));
+        *nearest = v[1].x < 50 ? fmin(*nearest, 50 - v[1].x) : *nearest;
+    }
+    plb_stroke_list_free(&list);
+    return ink;
+}
+
+static void hatching_is_interrupted_for_words(void)
+{
+    double near_bars, near_words;
+    CHECK(ink_between(0, &near_bars) > 8); /* bars have hatching between them, words have none */
+    CHECK(ink_between(.8, &near_words) == 0);
+    CHECK_RANGE(near_bars, .44, .46);
+    CHECK_RANGE(near_words, .7, 1);
+}
+
 static void lettering_that_is_hatched_over_stays_so(void)
 {
     stroke_list list = {.width = 100, .height = 100};
@@ -143,6 +175,7 @@ static void lines_that_others_end_upon_stray_little(void)
 int main(void)
 {
     RUN(hatching_keeps_clear_of_letters);
+    RUN(hatching_is_interrupted_for_words);
     RUN(lettering_that_is_hatched_over_stays_so);
     RUN(fine_wiggles_are_one_movement);
     RUN(closed_tracks_end_where_they_begin);

@@ -144,7 +144,7 @@ static void tones_below_lines_and_words_are_light(void)
     fill(&list, 10, 10, 40, 40, .4);
     fill(&list, 20, 20, .4, 3, 0); /* a letter */
     tone_curve word = curve_of(&list, is_inked);
-    CHECK(plb_tone_curve_at(&word, .6) < .3);
+    CHECK_RANGE(plb_tone_curve_at(&word, .6), .4, .55); /* hatching is interrupted for words */
     plb_list_free(&list);
 }
 

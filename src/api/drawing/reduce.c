@@ -38,10 +38,11 @@ static bool plan_sheet(plb_drawing *d, const display_list *sheet, plan_options o
 static bool plan_at(plb_drawing *d, double factor, const plan_options *options, const log_sink *say, error *err)
 {
     display_list sheet;
-    d->reduction = factor;
+    plan_options of_sheet = *options;
+    d->reduction = of_sheet.reduction = factor;
     if (factor <= 1)
-        return plan_sheet(d, &d->list, *options, say, err);
-    bool ok = plb_list_enlarged(&sheet, &d->list, factor, err) && plan_sheet(d, &sheet, *options, say, err);
+        return plan_sheet(d, &d->list, of_sheet, say, err);
+    bool ok = plb_list_enlarged(&sheet, &d->list, factor, err) && plan_sheet(d, &sheet, of_sheet, say, err);
     plb_list_free(&sheet);
     return ok;
 }

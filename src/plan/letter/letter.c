@@ -33,7 +33,11 @@
 #define BOLD_PENCILS 1.15    /* in a bold word from so much on */
 #define BROAD_LEAST 0.8      /* such strokes are as broad as the word's, but for this */
 #define BROAD_MOST 1.25
-#define BOLD_PRESSURE 1.25   /* in a bold word, times the usual */
+#define PRESSURE 1.8         /* of a word's strokes, times a line's: a person presses on letters, which are small and are to be read */
+#define BOLD_PRESSURE 1.25   /* in a bold word, times that */
+#define ROOM 0.34            /* hatching keeps so many sizes of its letters away from a word: it goes neither between nor into letters */
+#define ROOM_MOST_MM 1.4     /* … of large ones so far */
+#define ROOM_LARGEST_MM 14.0 /* larger shapes are no words */
 
 typedef struct {
     const plan_options *options;
@@ -101,7 +105,15 @@ static double breadth_of(const lettering *l, double stem)
 static float pressure_of(const lettering *l)
 {
     double p = fmin(1, fmax(0.7, 0.6 + 0.4 * l->stem / l->options->shade_width));
-    return (float)(l->run.is_bold ? BOLD_PRESSURE : p);
+    return (float)(PRESSURE * (l->run.is_bold ? BOLD_PRESSURE : p));
+}
+
+/* Gives how far hatching keeps from the strokes, mm: from those of words and single characters, not from those of bars. */
+static float room_of(const lettering *l, const item *fill)
+{
+    double size = l->run.size > 0 ? l->run.size : l->height;
+    bool is_word = fill->text || l->run.fills > 1 || !l->is_alone || (l->letters && !l->is_bar);
+    return is_word && size <= ROOM_LARGEST_MM ? (float)fmin(ROOM * size, ROOM_MOST_MM) : 0;
 }
 
 /* ---- from pen strokes to tracks ---- */
@@ -270,6 +282,7 @@ static bool take_stroke(const lettering *l, size_t i, const item *fill, track_li
 {
     track t = plb_track_at(&l->strokes, i);
     t.style.breadth = point_for(l);
+    t.style.clear = room_of(l, fill);
     if (l->breadths.v[i] <= l->options->shade_width)
         return plb_track_copy(out, &t) || plb_fail_memory(err);
     item broad = {.kind = ITEM_STROKE, .paint = fill->paint, .width = l->breadths.v[i], .cap = LINE_CAP_BUTT};

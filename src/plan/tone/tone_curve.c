@@ -11,9 +11,11 @@
 
 #include <math.h>
 
-/* The darkest tone on which the pencil's lines are seen at a glance, and the lightest that white words stand out from: shares of black
- * (chosen by eye; lighter would flatten the tones, darker drown the lines). */
+/* The darkest tone on which the pencil's lines are seen at a glance, that on which words are, for which the hatching is interrupted
+ * (strokes/clearance.c), and the lightest that white words stand out from: shares of black (chosen by eye; lighter would flatten the tones, darker
+ * drown the lines). */
 #define CARRIES_DARK 0.26
+#define CARRIES_WORDS 0.5
 #define CARRIES_WHITE 0.5
 /* A fill that reaches over so many widths of the pencil, either way, is an area, unless it is thinner everywhere than so many mm: lettering. */
 #define AREA_WIDTHS 6.0
@@ -44,7 +46,7 @@ typedef struct {
     const display_list *list;
     const plan_options *options;
     ARRAY(area) areas;
-    double darkest, lightest; /* that carries dark marks; that carries white words */
+    double darkest, darkest_of_words, lightest; /* that carries dark lines; that carries dark words; that carries white words */
     bool *is_inked;           /* of each item: it is white and lies on something dark; then, only where it is too small */
     size_t *below;            /* of each such item: the area that it lies on */
     error *err;
@@ -98,10 +100,10 @@ static const area *area_below(survey *s, size_t i, size_t first, point at)
     return NULL;
 }
 
-static void note(survey *s, double dark, const area *a)
+static void note(double *darkest, double dark, const area *a)
 {
     if (dark > a->darkness + CONTRAST)
-        s->darkest = fmax(s->darkest, a->darkness);
+        *darkest = fmax(*darkest, a->darkness);
 }
 
 static bool is_white_on_dark(double dark, const area *a) { return dark < WHITE && a->darkness > dark + CONTRAST; }
@@ -115,7 +117,7 @@ static void look_below_letter(survey *s, size_t i, size_t first)
     double dark = 1 - plb_paint_lightness(it->paint);
     if (!a)
         return;
-    note(s, dark, a);
+    note(&s->darkest_of_words, dark, a);
     s->is_inked[i] = is_white_on_dark(dark, a);
     s->below[i] = (size_t)(a - s->areas.v);
 }
@@ -162,7 +164,7 @@ static void look_below_line(survey *s, size_t i, size_t first)
             times = a && a == last ? times + 1 : a != NULL;
             last = a;
             if (times >= LEAST_LOOKS)
-                note(s, 1 - plb_paint_lightness(it->paint), a);
+                note(&s->darkest, 1 - plb_paint_lightness(it->paint), a);
         }
 }
 
@@ -215,6 +217,11 @@ bool plb_tone_curve_find(const display_list *list, const plan_options *o, tone_c
     if (s.darkest > CARRIES_DARK) {
         add_knot(curve, UNCHANGED * CARRIES_DARK, UNCHANGED * CARRIES_DARK);
         add_knot(curve, s.darkest, CARRIES_DARK);
+    }
+    if (s.darkest_of_words > fmax(CARRIES_WORDS, s.darkest)) {
+        if (curve->n == 1)
+            add_knot(curve, UNCHANGED * CARRIES_WORDS, UNCHANGED * CARRIES_WORDS);
+        add_knot(curve, s.darkest_of_words, CARRIES_WORDS);
     }
     if (s.lightest < CARRIES_WHITE && s.lightest > curve->in[curve->n - 1])
         add_knot(curve, s.lightest, CARRIES_WHITE);
