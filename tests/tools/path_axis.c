@@ -118,6 +118,9 @@ int main(int argc, char **argv)
         read_path(&a, d + 9, a.passed - ENDS);
     }
     fclose(svg);
+    for (int k = 0; k < paths; k++)
+        free(seen[k]);
+    free(a.png.grey);
     printf("paths %d length %.1f windows %ld worst %.3f mean %.4f twice %d\n", paths, a.length, a.windows, a.worst, a.windows ? a.mean / (double)a.windows : 0, twice);
     return a.windows == 0;
 }

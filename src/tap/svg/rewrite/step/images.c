@@ -208,7 +208,7 @@ void plb_rewrite_images(rewriting *r)
     /* Looks from the start until there are no images left: a drawing that has been put in may hold images of its own. */
     for (bool again = true; again && number < MAX_IMAGES;) {
         again = false;
-        for (xmlNode *n = top; n && !again; n = plb_node_next(n, top))
+        for (xmlNode *n = top; n && !again; n = again ? NULL : plb_node_next(n, top)) /* an image that is replaced has gone */
             again = plb_node_is(n, "image") && rewrite_image(r, n, number++);
     }
     for (xmlNode *n = top; n; n = plb_node_next(n, top))
