@@ -48,6 +48,46 @@ static double overlap(box a, box b)
     return w > 0 && h > 0 ? w * h : 0;
 }
 
+/* A clip's area counts no less than this part of its bounds: loops that cross themselves have an area that tells too little (chosen by eye). */
+#define CLIP_LEAST 0.1
+
+/* Gives the area between a path's straight chords, mm2: the sum over its loops, holes that turn the other way taken off. */
+static double area_of(const path *p)
+{
+    double twice = 0;
+    size_t at = 0;
+    point first = {0, 0}, last = {0, 0};
+    for (size_t i = 0; i < p->ops.n; i++) {
+        path_op op = p->ops.v[i];
+        if (op == PATH_MOVE || op == PATH_CLOSE)
+            twice += point_cross(last, first);
+        if (op == PATH_CLOSE) {
+            last = first;
+            continue;
+        }
+        at += op == PATH_CURVE ? 3 : 1;
+        point to = p->points.v[at - 1];
+        if (op == PATH_MOVE)
+            first = to;
+        else
+            twice += point_cross(last, to);
+        last = to;
+    }
+    return fabs(twice + point_cross(last, first)) / 2;
+}
+
+/* Gives the area of the page that the fill may paint, mm2: that of its bounds, less where a clip leaves less. */
+static double painted_area(const hatcher *h, const item *fill)
+{
+    double area = overlap(plb_path_bounds(&fill->path), h->page);
+    if (fill->clip == NO_CLIP)
+        return area;
+    const path *c = &h->list->clips.v[fill->clip].path;
+    box b = plb_path_bounds(c);
+    double bounds = (b.x1 - b.x0) * (b.y1 - b.y0);
+    return fmin(area, fmax(area_of(c), CLIP_LEAST * bounds));
+}
+
 hatcher plb_hatcher(const display_list *list, const plan_options *o, const tone_curve *curve, const paint_manners *manners)
 {
     hatcher h = {.list = list, .options = o, .curve = *curve, .manners = *manners, .page = {0, 0, list->width, list->height}, .coarser = 1};
@@ -61,7 +101,7 @@ hatcher plb_hatcher(const display_list *list, const plan_options *o, const tone_
         if (it->kind != ITEM_FILL || darkest < MIN_DARKNESS)
             continue;
         technique q = plb_technique_for(darkest, plb_is_soft_tone(darkest, o), o);
-        double area = overlap(plb_path_bounds(&it->path), h.page) * (t.gradient ? GRADIENT_PARTS : 1);
+        double area = painted_area(&h, it) * (t.gradient ? GRADIENT_PARTS : 1);
         for (int k = 0; k < HATCH_LAYERS; k++)
             strokes += q.spacing[k] > 0 ? area / (q.spacing[k] * TYPICAL_LENGTH) : 0;
         plb_hatch_direction_learn(&h, it);
