@@ -49,6 +49,15 @@ for up in x y z; do list --up $up "$models/chair.obj" >"up$up"; done
 is "the axis that points upwards" "$(md5sum upx upy upz | cut -d' ' -f 1 | sort -u | wc -l)" 3
 # A tube of eight sides has edges along it, when these are sharp.
 is "creases" "$(strokes --view front --light none --crease 60 "$stage/tube.stl") $(strokes --view front --light none --crease 40 "$stage/tube.stl")" "4 13"
+# Hatching runs along the surface: walls from top to bottom, a tube along its axis, wherever that leads.
+hatched() { list "$@" | sed -n 's/^fill .* hatch \([-0-9.]*\) .*/\1/p'; }
+is "walls are hatched from top to bottom" "$(hatched "$stage/cube.obj" | awk '{ if (($1 + 180) % 180 != 90) print }')" ""
+check "a knot is hatched in many directions" test "$(hatched "$models/knot.obj" | awk '{ n[int(($1 + 180) % 180 / 30)] = 1 } END { for (k in n) c++; print c + 0 }')" -ge 5
+# A tube that lies on its side, in view from its side: its axis is level.
+awk 'BEGIN { n = 32; for (i = 0; i < n; i++) { a = 6.2831853 * i / n; printf "v -9 %.6f %.6f\nv 9 %.6f %.6f\n", 3 * cos(a), 3 * sin(a), 3 * cos(a), 3 * sin(a) }
+    for (i = 0; i < n; i++) printf "f %d %d %d %d\n", 2 * i + 1, 2 * i + 2, 2 * ((i + 1) % n) + 2, 2 * ((i + 1) % n) + 1 }' >lying.obj
+is "a tube is hatched along its axis" "$(hatched --view 0,20 lying.obj | awk '{ d = ($1 + 360) % 180; if (d > 90) d = 180 - d; if (d > 3) print } END { print (NR > 0) }')" 1
+
 # Facets that turn by 26 degrees, too little for an edge, too much for a smooth surface: the outline runs along them, and all round.
 awk 'BEGIN { for (i = 0; i < 6; i++) printf "v %.6f 0 %.6f\nv %.6f 2 %.6f\n", 8 * cos(i * 1.0471976), 8 * sin(i * 1.0471976), 4 * cos(i * 1.0471976), 4 * sin(i * 1.0471976)
     for (i = 0; i < 6; i++) printf "f %d %d %d %d\n", 2 * i + 1, 2 * i + 2, 2 * ((i + 1) % 6) + 2, 2 * ((i + 1) % 6) + 1

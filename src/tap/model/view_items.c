@@ -106,7 +106,7 @@ static bool write_area(item_writer *w, const tone_list *l, const tone_area *a)
 {
     clip c = {.even_odd = true, .parent = NO_CLIP};
     bool ok = true;
-    const double beyond = 5; /* mm: so that the box's sides are not seen */
+    const double beyond = 1.5; /* mm: so that the box's sides are not seen */
     if (a->colour.red >= 1 && a->colour.green >= 1 && a->colour.blue >= 1)
         return true;
     for (size_t i = a->first; ok && i < a->first + a->n; i++) {
@@ -126,6 +126,8 @@ static bool write_area(item_writer *w, const tone_list *l, const tone_area *a)
         plb_list_writer_clip(w->w, &c);
         w->item.kind = ITEM_FILL;
         w->item.clip = w->clips++;
+        w->item.is_directed = a->is_directed;
+        w->item.direction = a->direction;
         set_tone(w, a);
         plb_list_writer_item(w->w, &w->item);
     }

@@ -4,7 +4,8 @@
  */
 #include "tap/model/shade/shade.h"
 
-#include "base/number/random.h"
+#include "tap/model/shade/direction.h"
+#include "tap/model/shade/key_table.h"
 
 /* Tones that a hand tells apart: darknesses, from blank paper on, and from which darkness on each is taken (chosen by eye). */
 #define TONES 5
@@ -21,26 +22,25 @@ static const double tone_from[TONES] = {-1, .11, .21, .32, .45};
 #define ROUND_BASE (-0.02)
 #define ROUND_SLOPE 0.8
 
-typedef struct {
-    uint32_t patch, paint, tone;
-} region_key;
-
-/* Sums over the cells of a region: how its darkness changes over the page, by least squares. */
+/* Sums over the cells of a region: how its darkness changes over the page, by least squares; where its hatching runs. */
 typedef struct {
     double n, x, y, d, xx, xy, yy, xd, yd;
+    page_direction way;
     box bounds;
 } region_sums;
+
+/* A region is what has one patch, one paint, one tone and, on round surfaces, one sector of directions. */
+enum { KEY_PATCH, KEY_PAINT, KEY_TONE, KEY_SECTOR };
 
 typedef struct {
     const view *v;
     const surface_buffer *b;
     vector to_light; /* in the model's space, length 1 */
     float brightest; /* of the materials */
-    uint32_t *table;  /* numbers of regions, by their keys */
-    size_t room;
-    ARRAY(region_key) regions;
+    key_table regions;
     ARRAY(region_sums) sums;   /* of the regions */
     unsigned char *is_round;   /* by patch */
+    direction_field directions;
 } shader;
 
 /* The light moves with the eye: it comes over the left shoulder wherever one looks from. */
@@ -81,50 +81,13 @@ static uint32_t tone_of(double darkness)
     return tone;
 }
 
-static bool is_same(region_key a, region_key b) { return a.patch == b.patch && a.paint == b.paint && a.tone == b.tone; }
-
-static size_t find_slot(const shader *s, const uint32_t *table, size_t room, region_key k)
-{
-    size_t i = random_fold(k.patch, k.paint, k.tone) & (room - 1);
-    while (table[i] != NO_TRIANGLE && !is_same(s->regions.v[table[i]], k))
-        i = (i + 1) & (room - 1);
-    return i;
-}
-
-static bool grow_table(shader *s)
-{
-    size_t room = s->room ? 2 * s->room : 256;
-    uint32_t *table = plb_new(room, sizeof *table);
-    if (!table)
-        return false;
-    for (size_t i = 0; i < room; i++)
-        table[i] = NO_TRIANGLE;
-    for (uint32_t i = 0; i < s->regions.n; i++)
-        table[find_slot(s, table, room, s->regions.v[i])] = i;
-    plb_free(s->table);
-    s->table = table;
-    s->room = room;
-    return true;
-}
-
-static bool region_of(shader *s, region_key k, uint32_t *number)
-{
-    if (2 * s->regions.n >= s->room && !grow_table(s))
-        return false;
-    size_t i = find_slot(s, s->table, s->room, k);
-    *number = s->table[i];
-    if (*number != NO_TRIANGLE)
-        return true;
-    *number = s->table[i] = (uint32_t)s->regions.n;
-    return array_push(&s->regions, k) && array_push(&s->sums, ((region_sums){.bounds = BOX_EMPTY}));
-}
-
-static void add_cell(region_sums *r, point p, double d)
+static void add_cell(region_sums *r, point p, double d, page_direction way)
 {
     r->n++;
     r->x += p.x, r->y += p.y, r->d += d;
     r->xx += p.x * p.x, r->xy += p.x * p.y, r->yy += p.y * p.y;
     r->xd += p.x * d, r->yd += p.y * d;
+    r->way.cosine += way.cosine, r->way.sine += way.sine;
     plb_box_add(&r->bounds, p);
 }
 
@@ -146,7 +109,7 @@ static bool find_round(shader *s)
 static bool label_cells(shader *s, uint32_t *label)
 {
     const surface_buffer *b = s->b;
-    region_key last = {NO_TRIANGLE, 0, 0};
+    table_key last = {{NO_TRIANGLE, 0, 0, 0}};
     uint32_t number = 0;
     for (int y = 0; y < b->height; y++)
         for (int x = 0; x < b->width; x++) {
@@ -157,14 +120,78 @@ static bool label_cells(shader *s, uint32_t *label)
                 continue;
             point at = {b->corner.x + (x + .5) * b->cell, b->corner.y + (y + .5) * b->cell};
             double darkness = darkness_at(s, t, at);
-            region_key k = {s->v->m->patch.v[t], s->v->m->triangles.v[t].paint, tone_of(darkness)};
-            if (!is_same(k, last) && !region_of(s, k, &number))
+            page_direction way = plb_direction_at(&s->directions, t, x, y);
+            table_key k = {{s->v->m->patch.v[t], s->v->m->triangles.v[t].paint, tone_of(darkness), s->is_round[s->v->m->patch.v[t]] ? plb_direction_sector(way) : 0}};
+            if (!plb_key_is_same(k, last) && !plb_key_number(&s->regions, k, &number))
                 return false;
+            while (s->sums.n < s->regions.keys.n)
+                if (!array_push(&s->sums, ((region_sums){.bounds = BOX_EMPTY})))
+                    return false;
             last = k;
             label[i] = number;
-            add_cell(&s->sums.v[number], at, darkness);
+            add_cell(&s->sums.v[number], at, darkness, way);
         }
     return true;
+}
+
+/* Regions of another direction that are smaller than this, mm2, are hatched in that of their neighbours (chosen by eye: a patch of a
+ * hand's strokes has so much). */
+#define SMALL_MM2 20.0
+
+static void join_sums(region_sums *to, const region_sums *r)
+{
+    to->n += r->n;
+    to->x += r->x, to->y += r->y, to->d += r->d;
+    to->xx += r->xx, to->xy += r->xy, to->yy += r->yy;
+    to->xd += r->xd, to->yd += r->yd;
+    to->way.cosine += r->way.cosine, to->way.sine += r->way.sine;
+    plb_box_add(&to->bounds, (point){r->bounds.x0, r->bounds.y0});
+    plb_box_add(&to->bounds, (point){r->bounds.x1, r->bounds.y1});
+}
+
+/* Gives the region, other than i, of the same patch, paint and tone whose sector is nearest; the larger one of two; i where there is none. */
+static uint32_t next_of_kin(const shader *s, uint32_t i)
+{
+    table_key k = s->regions.keys.v[i];
+    uint32_t best = i, most = SECTORS;
+    for (uint32_t n = 0; n < SECTORS; n++) {
+        uint32_t other, apart = (n + SECTORS - k.part[KEY_SECTOR]) % SECTORS;
+        table_key o = k;
+        o.part[KEY_SECTOR] = n;
+        apart = apart > SECTORS / 2 ? SECTORS - apart : apart;
+        if (!apart || !plb_key_find(&s->regions, o, &other))
+            continue;
+        if (apart < most || (apart == most && s->sums.v[other].n > s->sums.v[best].n)) {
+            best = other;
+            most = apart;
+        }
+    }
+    return best;
+}
+
+/* Gives small regions to those of nearly the same direction, the smallest sectors first in each patch. */
+static bool join_small(shader *s, uint32_t *label)
+{
+    size_t n = s->regions.keys.n, cells = (size_t)s->b->width * (size_t)s->b->height;
+    double small = SMALL_MM2 / (s->b->cell * s->b->cell);
+    uint32_t *to = plb_new(n + 1, sizeof *to);
+    for (uint32_t i = 0; to && i < n; i++)
+        to[i] = i;
+    for (uint32_t i = 0; to && i < n; i++) {
+        uint32_t kin = s->is_round[s->regions.keys.v[i].part[KEY_PATCH]] && s->sums.v[i].n < small ? next_of_kin(s, i) : i;
+        while (to[kin] != kin)
+            kin = to[kin];
+        if (kin == i)
+            continue;
+        to[i] = kin;
+        join_sums(&s->sums.v[kin], &s->sums.v[i]);
+    }
+    for (size_t i = 0; to && i < cells; i++)
+        while (label[i] != UINT32_MAX && to[label[i]] != label[i])
+            label[i] = to[label[i]];
+    bool ok = to;
+    plb_free(to);
+    return ok;
 }
 
 static float brightness(colour c) { return .299f * c.red + .587f * c.green + .114f * c.blue; } /* Rec. 601 */
@@ -187,9 +214,9 @@ static float on_paper(float part, float brightest, float left)
 }
 
 /* The colour on paper: the material's, as far as a drawing shows it, in the light that there is. */
-static colour colour_of(const shader *s, region_key k, double darkness)
+static colour colour_of(const shader *s, table_key k, double darkness)
 {
-    colour c = s->v->m->paints.v[k.paint].colour;
+    colour c = s->v->m->paints.v[k.part[KEY_PAINT]].colour;
     float left = (float)(1 - darkness);
     return (colour){on_paper(c.red, s->brightest, left), on_paper(c.green, s->brightest, left), on_paper(c.blue, s->brightest, left)};
 }
@@ -205,7 +232,7 @@ static double round_darkness(double d, uint32_t tone)
 static void find_slope(const shader *s, size_t region, tone_area *a)
 {
     const region_sums *r = &s->sums.v[region];
-    region_key k = s->regions.v[region];
+    table_key k = s->regions.keys.v[region];
     double x = r->x / r->n, y = r->y / r->n, d = r->d / r->n;
     double xx = r->xx / r->n - x * x, xy = r->xy / r->n - x * y, yy = r->yy / r->n - y * y, xd = r->xd / r->n - x * d, yd = r->yd / r->n - y * d;
     double det = xx * yy - xy * xy;
@@ -216,15 +243,16 @@ static void find_slope(const shader *s, size_t region, tone_area *a)
     a->is_round = true;
     a->from = point_sub(middle, point_scale(way, reach));
     a->to = point_add(middle, point_scale(way, reach));
-    a->colours[0] = colour_of(s, k, round_darkness(d - steep * reach, k.tone));
-    a->colours[1] = colour_of(s, k, round_darkness(d + steep * reach, k.tone));
+    a->colours[0] = colour_of(s, k, round_darkness(d - steep * reach, k.part[KEY_TONE]));
+    a->colours[1] = colour_of(s, k, round_darkness(d + steep * reach, k.part[KEY_TONE]));
 }
 
 static tone_area area_of(const shader *s, size_t region, tone_loop loops)
 {
-    region_key k = s->regions.v[region];
-    tone_area a = {.colour = colour_of(s, k, tone_darkness[k.tone]), .first = loops.first, .n = loops.n};
-    if (s->is_round[k.patch] && k.tone > 0)
+    table_key k = s->regions.keys.v[region];
+    tone_area a = {.colour = colour_of(s, k, tone_darkness[k.part[KEY_TONE]]), .first = loops.first, .n = loops.n};
+    a.is_directed = plb_direction_angle(s->sums.v[region].way, s->sums.v[region].n, &a.direction);
+    if (s->is_round[k.part[KEY_PATCH]] && k.part[KEY_TONE] > 0)
         find_slope(s, region, &a);
     return a;
 }
@@ -233,17 +261,17 @@ bool plb_shade(const view *v, const surface_buffer *b, light from, tone_list *ou
 {
     shader s = {.v = v, .b = b, .to_light = direction_to_light(v, from), .brightest = brightest_of(v->m)};
     uint32_t *label = plb_new((size_t)b->width * (size_t)b->height, sizeof *label);
-    bool ok = label && find_round(&s) && label_cells(&s, label);
-    tone_loop *loops_of = ok ? plb_new(s.regions.n + 1, sizeof *loops_of) : NULL;
-    ok = ok && loops_of && plb_trace_regions(b, label, (uint32_t)s.regions.n, loops_of, out);
-    for (size_t i = 0; ok && i < s.regions.n; i++)
+    bool ok = label && find_round(&s) && plb_find_directions(v, b, s.is_round, &s.directions) && label_cells(&s, label) && join_small(&s, label);
+    tone_loop *loops_of = ok ? plb_new(s.regions.keys.n + 1, sizeof *loops_of) : NULL;
+    ok = ok && loops_of && plb_trace_regions(b, label, (uint32_t)s.regions.keys.n, loops_of, out);
+    for (size_t i = 0; ok && i < s.regions.keys.n; i++)
         if (loops_of[i].n)
             ok = array_push(&out->areas, area_of(&s, i, loops_of[i]));
     plb_free(loops_of);
     plb_free(label);
-    plb_free(s.table);
+    plb_key_table_free(&s.regions);
+    plb_direction_free(&s.directions);
     plb_free(s.is_round);
-    array_free(&s.regions);
     array_free(&s.sums);
     return ok || plb_fail_memory(err);
 }

@@ -8,7 +8,7 @@
 #include "tap/model/view/view.h"
 
 /* A buffer says for each cell of a fine raster over the page which triangle is seen there. */
-typedef struct {
+typedef struct surface_buffer {
     int width, height;
     double cell;         /* mm */
     point corner;        /* of the first cell, mm on the page */
@@ -34,6 +34,8 @@ typedef struct {
     bool is_round;   /* part of a round surface, whose tone changes from `from` to `to`, mm */
     point from, to;
     colour colours[2]; /* there */
+    bool is_directed;  /* its hatching runs in the … */
+    double direction;  /* … direction, degrees clockwise from the right */
 } tone_area;
 typedef struct {
     size_t first, n; /* of the points */
