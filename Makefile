@@ -59,10 +59,11 @@ LDFLAGS_tap = $(filter-out -fsanitize=thread,$(LDFLAGS_ALL))
 # The inner loops of the texture and of the page are written for the compiler's vectors.
 CFLAGS_stroke = $(if $(filter release,$(BUILD)),-O3)
 CFLAGS_surface = $(CFLAGS_stroke)
+CFLAGS_film = $(CFLAGS_stroke)
 
 # Folders lie in folders: all of a layer, however deep.
 below    = $(sort $(shell find $(1) -name '$(2)'))
-layers   = base system list profile input plan stroke surface api
+layers   = base system list profile input plan stroke surface film api
 lib_src  = $(foreach d,$(layers),$(call below,src/$(d),*.c))
 lib_obj  = $(lib_src:src/%.c=$(O)/%.o)
 pencils  = $(wildcard profiles/*.pencil)

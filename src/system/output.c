@@ -128,14 +128,15 @@ static int open_named(output *out, const char *folder)
     return -1;
 }
 
-static int open_nameless(const char *folder)
+static int open_nameless(const char *folder, int access_mode)
 {
 #ifdef O_TMPFILE
     if (access("/proc/self/fd", X_OK) != 0) /* without it the file could not be given a name */
         return -1;
-    return open(*folder ? folder : ".", O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+    return open(*folder ? folder : ".", O_TMPFILE | access_mode | O_CLOEXEC, 0666);
 #else
     (void)folder;
+    (void)access_mode;
     return -1;
 #endif
 }
@@ -159,7 +160,7 @@ static bool open_beside(output *out, const struct stat *before, error *err)
     char *folder = folder_of(out->name);
     if (!folder)
         return plb_fail_memory(err);
-    int fd = open_nameless(folder);
+    int fd = open_nameless(folder, O_WRONLY);
     if (fd < 0)
         fd = open_named(out, folder);
     if (fd >= 0 && before)
@@ -284,4 +285,22 @@ void plb_output_discard(output *out)
     plb_free(out->temporary);
     plb_free(out->name);
     memset(out, 0, sizeof *out);
+}
+
+FILE *plb_output_spool(const char *beside, error *err)
+{
+    char *folder = strcmp(beside, "-") ? folder_of(beside) : NULL;
+    int fd = folder ? open_nameless(folder, O_RDWR) : -1;
+    bool is_there = !folder || fd >= 0 || access(*folder ? folder : ".", W_OK | X_OK) == 0;
+    plb_free(folder);
+    if (!is_there)
+        return fail(err, beside, "cannot be written", errno), NULL;
+    FILE *spool = fd < 0 ? tmpfile() : fdopen(fd, "w+b");
+    if (spool)
+        return spool;
+    int reason = errno;
+    if (fd >= 0)
+        close(fd);
+    fail(err, plb_output_shown(beside), "cannot be written", reason);
+    return NULL;
 }

@@ -32,4 +32,8 @@ bool plb_output_commit(output *out, error *err);
 /* Closes and removes the file. */
 void plb_output_discard(output *out);
 
+/* Returns a nameless file for reading and writing, in the folder of `beside` where that can be, which vanishes when it is closed or this process
+ * ends. NULL and `err` on failure. */
+FILE *plb_output_spool(const char *beside, error *err);
+
 #endif

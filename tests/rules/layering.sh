@@ -16,7 +16,8 @@ allowed() {
     plan) echo base system list profile plan ;;
     stroke) echo base list profile stroke ;;
     surface) echo base system list profile surface ;;
-    api) echo base system list profile input plan stroke surface api ;;
+    film) echo base system list profile stroke surface film ;;
+    api) echo base system list profile input plan stroke surface film api ;;
     tool) echo api/plumbago.h tool ;;
     tap) echo base list tap ;;
     *) echo none ;;
@@ -65,7 +66,7 @@ only() {
 report "cairo only in surface, api and the tap" "$(only '^cairo' surface api tap)"
 report "librsvg, GLib and libxml only in the tap" "$(only '^(librsvg|glib|gio|libxml)' tap)"
 report "libpng only in surface and profile" "$(only '^png\.h' surface profile)"
-report "no clock, process or signal where the science is" "$(only '^(time|signal|unistd|pthread|sys/.*)\.h' base system input profile surface api tool tap)"
+report "no clock, process or signal where the science is" "$(only '^(time|signal|unistd|pthread|sys/.*)\.h' base system input profile surface film api tool tap)"
 
 [ -f "$BUILD_DIR/libplumbago.a" ] || { fail "the library is built" "no $BUILD_DIR/libplumbago.a"; exit; }
 
