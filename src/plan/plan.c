@@ -149,6 +149,7 @@ static bool arrange(stroke_list *out, const plan_options *o, error *err)
         return false;
     drop_short_strokes(out);
     bool ok = plb_plan_smooth(out, err) && plb_plan_neighbours(out, o->threads, err) && plb_plan_junctions(out, o->threads, err) &&
+              plb_plan_beside_letters(out, o->pencil_width, o->threads, err) &&
            plb_plan_habits(out, o, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
     if (ok)
         plb_plan_touch(out, o);

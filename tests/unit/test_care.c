@@ -172,6 +172,22 @@ static void lines_that_others_end_upon_stray_little(void)
     plb_stroke_list_free(&list);
 }
 
+static void lines_keep_out_of_letters_beside_them(void)
+{
+    stroke_list list = {.width = 200, .height = 200};
+    add(&list, 10, 100, 110, 100, STROKE_LINE); /* an axis, a number 1 mm below; */
+    add(&list, 10, 50, 110, 50, STROKE_LINE);   /* a line with nothing near; */
+    add(&list, 10, 150, 110, 150, STROKE_LINE); /* and one through a letter */
+    add(&list, 60, 150.1, 60, 152, STROKE_LETTER);
+    add(&list, 59, 101, 61, 104, STROKE_LETTER);
+    CHECK(plb_plan_beside_letters(&list, 0.2, 1, NULL));
+    CHECK_RANGE(list.strokes.v[0].max_deviation, 0.3, 0.5);
+    CHECK(list.strokes.v[1].max_deviation == 0);
+    CHECK_RANGE(list.strokes.v[2].max_deviation, 0.01, 0.1);
+    CHECK(list.strokes.v[3].max_deviation == 0);
+    plb_stroke_list_free(&list);
+}
+
 int main(void)
 {
     RUN(hatching_keeps_clear_of_letters);
@@ -180,5 +196,6 @@ int main(void)
     RUN(fine_wiggles_are_one_movement);
     RUN(closed_tracks_end_where_they_begin);
     RUN(lines_that_others_end_upon_stray_little);
+    RUN(lines_keep_out_of_letters_beside_them);
     CHECK_EXIT;
 }

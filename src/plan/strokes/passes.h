@@ -25,6 +25,8 @@ bool plb_plan_smooth(stroke_list *list, error *err);
 bool plb_plan_neighbours(stroke_list *list, int threads, error *err);
 /* junctions.c lessens the max_deviation of a line that others end upon. */
 bool plb_plan_junctions(stroke_list *list, int threads, error *err);
+/* beside_letters.c finds it for lines beside lettering: a line drawn with a pencil `width` mm wide must not run into it. */
+bool plb_plan_beside_letters(stroke_list *list, double width, int threads, error *err);
 /* order.c puts near strokes together and sets which end starts. */
 bool plb_plan_order(stroke_list *list, error *err);
 /* identity.c fills in the identities. */

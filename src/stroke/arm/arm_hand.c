@@ -17,13 +17,13 @@ static hand hand_of(const base_line *b, const stroke *s, double length, const st
         return h;
     if (b->n > 2)
         plb_hand_reach(&h, plb_base_extent(b));
-    if (s->closed)
-        return h;
     bool backward = plb_hand_backward(plb_base_way(b), o->handed);
-    plb_hand_direct(&h, plb_base_way(b), backward ? !s->corner_first : !s->corner_last, o);
+    if (!s->closed)
+        plb_hand_direct(&h, plb_base_way(b), backward ? !s->corner_first : !s->corner_last, o);
     if (s->max_deviation > 0)
         plb_hand_keep(&h, (double)s->max_deviation * fmax(h.strength, 1));
-    plb_hand_hooks(&h, !s->corner_first, !s->corner_last, s->identity, o);
+    if (!s->closed)
+        plb_hand_hooks(&h, !s->corner_first, !s->corner_last, s->identity, o);
     return h;
 }
 
