@@ -29,8 +29,10 @@ typedef struct {
     bool is_soft;     /* made with the soft pencil that the darks are shaded with, not with the one that draws */
     float breadth;    /* of the lead, times the pencil's captured line, > 0; 0 until the plan knows how worn the point is then */
     float clear;      /* mm of paper that hatching below leaves on either side of it: of letters; 0: the least that keeps the two apart */
+    float max_stray;  /* mm: how far the hand may stray, as in stroke.max_deviation, before other strokes are looked at; 0: freely */
+    uint64_t company; /* strokes of one company stray together, as one movement gone over again; 0: each by itself */
 } stroke_style;
-#define STROKE_STYLE_USUAL ((stroke_style){1, 0, STROKE_LINE, false, 0, 0})
+#define STROKE_STYLE_USUAL ((stroke_style){.pressure = 1, .kind = STROKE_LINE})
 
 /* A stroke is one movement of the pencil along a smooth line. */
 typedef struct {

@@ -18,6 +18,8 @@
 
 /* A stroke that differs by so much in lightness from the fill that it goes round is an edge (chosen by eye). */
 #define EDGE_CONTRAST 0.2
+/* The outline of a hatched area keeps within this of its place, mm: nearer than half the pencil's line, so that no paper shows between. */
+#define OUTLINE_STRAY_MM 0.15f
 /* A dot of lettering, or a pair of dots, is at most so broad against a letter's longer side, at most so far from that letter, and painted at most so many items
  * before or after it (chosen by eye). */
 #define DOT_SIZE 0.4
@@ -35,10 +37,21 @@ static void set_style(track_list *l, size_t first, stroke_style style)
         l->tracks.v[k].style = style;
 }
 
-static bool add_line(const plan_context *p, const item *it, track_list *out, error *err)
+/* Tells whether items are a fill that is hatched and the stroke around it. */
+static bool is_hatched_in(const plan_context *p, const item *fill, const item *it)
 {
+    return p->options->fill == FILL_HATCH && fill->kind == ITEM_FILL && plb_leaves_mark(fill) && plb_path_equal(&fill->path, &it->path);
+}
+
+/* An outline is drawn with an eye on the hatching that it bounds. */
+static bool add_line(const plan_context *p, size_t i, track_list *out, error *err)
+{
+    const item *it = &p->list->items.v[i];
     bool ok = plb_plan_flatten(&it->path, false, out, err);
-    set_style(out, 0, style_of(p, it));
+    stroke_style style = style_of(p, it);
+    if ((i > 0 && is_hatched_in(p, it - 1, it)) || (i + 1 < p->list->items.n && is_hatched_in(p, it + 1, it)))
+        style.max_stray = OUTLINE_STRAY_MM;
+    set_style(out, 0, style);
     return ok;
 }
 
@@ -62,7 +75,10 @@ static bool add_outline(const plan_context *p, const item *it, track_list *out, 
 {
     size_t first = out->tracks.n;
     bool ok = plb_plan_flatten(&it->path, true, out, err);
-    set_style(out, first, style_of(p, it));
+    stroke_style style = style_of(p, it);
+    if (p->options->fill == FILL_HATCH)
+        style.max_stray = OUTLINE_STRAY_MM;
+    set_style(out, first, style);
     for (size_t k = first; k < out->tracks.n; k++)
         out->tracks.v[k].is_outline = true;
     return ok;
@@ -177,5 +193,5 @@ bool plb_plan_marks(const plan_context *p, size_t i, track_list *out, bool *stan
     *stands_for_next = false;
     if (it->kind == ITEM_FILL)
         return add_fill(p, i, out, stands_for_next, err);
-    return plb_is_wide(it, p->options) ? add_wide_line(p, it, out, err) : add_line(p, it, out, err);
+    return plb_is_wide(it, p->options) ? add_wide_line(p, it, out, err) : add_line(p, i, out, err);
 }

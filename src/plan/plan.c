@@ -54,7 +54,7 @@ static bool add_strokes(planner *p, const track_list *tracks)
         p->length += plb_track_length(&t);
         if (p->length > p->context.options->max_length)
             return plb_fail(p->err, ERROR_LIMIT, "the drawing needs more than %g m of pencil line; --limit-length allows more", p->context.options->max_length / 1000);
-        stroke s = {.style = t.style, .first = out->points.n, .n = t.n, .closed = t.closed, .corner_first = t.corner_first, .corner_last = t.corner_last};
+        stroke s = {.style = t.style, .max_deviation = t.style.max_stray, .first = out->points.n, .n = t.n, .closed = t.closed, .corner_first = t.corner_first, .corner_last = t.corner_last};
         if (!array_reserve(&out->points, t.n) || !array_push(&out->strokes, s))
             return plb_fail_memory(p->err);
         for (size_t k = 0; k < t.n; k++)
@@ -148,9 +148,10 @@ static bool arrange(stroke_list *out, const plan_options *o, error *err)
     if (!plb_plan_clearance(out, (o->pencil_width + o->shade_width) / 2, err) || !plb_plan_duplicates(out, same, err) || !plb_plan_join(out, same, o->threads, err))
         return false;
     drop_short_strokes(out);
-    bool ok = plb_plan_smooth(out, err) && plb_plan_neighbours(out, o->threads, err) && plb_plan_junctions(out, o->threads, err) &&
-              plb_plan_beside_letters(out, o->pencil_width, o->threads, err) &&
-           plb_plan_habits(out, o, err) && plb_plan_order(out, err) && plb_plan_identify(out, err);
+    bool ok = plb_plan_smooth(out, err) && plb_plan_neighbours(out, o->threads, err) && plb_plan_nested(out, err) && plb_plan_junctions(out, o->threads, err) &&
+              plb_plan_beside_letters(out, o->pencil_width, o->threads, err) && plb_plan_ruler(out, o, err) &&
+              (!o->is_touched || o->overshoot > 0 || plb_plan_meet_corners(out, o, err)) && plb_plan_habits(out, o, err) && plb_plan_order(out, err) &&
+              plb_plan_identify(out, err);
     if (ok)
         plb_plan_touch(out, o);
     return ok;

@@ -17,6 +17,8 @@ typedef enum { FILL_HATCH, FILL_OUTLINE, FILL_NONE } fill_style;
 typedef enum { TEXT_HAND, TEXT_OUTLINE, TEXT_NONE } text_style;
 /* Characters are the middle lines of the font's, or, where they are known, those of a hand's alphabet. */
 typedef enum { LETTERING_FONT, LETTERING_HAND } lettering_style;
+/* Which straight lines are drawn along a ruler: none, the long ones that lie level or upright, all. */
+typedef enum { RULER_NONE, RULER_AUTO, RULER_ALL } ruler_use;
 /* A tone_scale says how dark a pencil's hatching comes out: the mean darkness (0 paper, 1 black) of an area hatched
  * with each of TONE_STEPS efforts, evenly from the faintest to the darkest; rising (hatch_tone.c). */
 #define TONE_STEPS 9
@@ -37,6 +39,7 @@ typedef struct {
     tone_scale tone;     /* what the pencil's hatching comes to */
     double soft_width;   /* of the line of a softer pencil, mm, for what the pencil cannot reach; 0: there is none */
     tone_scale soft_tone; /* … and what its hatching comes to */
+    ruler_use ruler;
     double overshoot;    /* how far lines run past corners at most, mm; 0: they meet */
     double restate;      /* the share of long lines that are drawn twice */
     bool construction;   /* faint lines beyond long lines, and axes of circles */

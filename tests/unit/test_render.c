@@ -26,7 +26,7 @@ static bool fill_strokes(stroke_list *list)
             point p = {x + r * cos(turn + (n > 2 ? 9 * u : 0)), y + r * sin(turn + (n > 2 ? 9 * u : 0))};
             ok = array_push(&list->points, p);
         }
-        stroke_style t = {1, k % 3 == 0 ? 0xd04020 : k % 3 == 1 ? 0x2060c0 : 0, STROKE_LINE, false, 1, 0};
+        stroke_style t = {1, k % 3 == 0 ? 0xd04020 : k % 3 == 1 ? 0x2060c0 : 0, STROKE_LINE, false, 1, 0, 0, 0};
         stroke s = {.style = t, .identity = k + 1, .first = first, .n = n};
         ok = ok && array_push(&list->strokes, s);
     }

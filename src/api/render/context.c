@@ -78,6 +78,7 @@ plan_options plb_api_plan_options(const plb_options *o)
     plan.shade_width = plb_profile_width(o->profile);
     plan.pencil_width = plan.shade_width * fmin(plan.point * plb_wear_mean(&plan), 1);
     plan.max_length = 1000 * o->limit_length;
+    plan.ruler = (ruler_use)o->ruler;
     plan.overshoot = o->overshoot;
     plan.restate = o->restate;
     plan.construction = o->construction;

@@ -51,6 +51,7 @@ struct plb_options {
     int fill;             /* fill_style */
     int text;             /* text_style */
     int lettering;        /* lettering_style */
+    int ruler;            /* ruler_use */
     int background;       /* page_background */
     int point;            /* pencil_point */
     int shade;            /* pencil_shade, or from SHADE_GRADES on a grade */

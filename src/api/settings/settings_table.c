@@ -93,6 +93,8 @@ static const setting table[] = {
      FIELD(arm), .word = arm_name, .automatic = ARM_AUTO},
     {{"hand", 0, "Hand", PLB_SETTING_CHOICE, NULL, 0, 0, "", "right", "which hand draws; none: all directions alike", LOAD | DRAW},
      FIELD(handed), WORDS(WORD("right", HANDED_RIGHT), WORD("left", HANDED_LEFT), WORD("none", HANDED_NONE))},
+    {{"ruler", 0, "Hand", PLB_SETTING_CHOICE, NULL, 0, 0, "", "auto", "which straight lines are ruled; auto: long level and upright ones", LOAD},
+     FIELD(ruler), WORDS(WORD("none", RULER_NONE), WORD("all", RULER_ALL)), .automatic = RULER_AUTO},
     {{"overshoot", 0, "Hand", PLB_SETTING_LENGTH, "LEN", 0, 100, "mm", "0mm", "lines run past corners by up to LEN", LOAD},
      FIELD(overshoot)},
     {{"restate", 0, "Hand", PLB_SETTING_NUMBER, "F", 0, 1, "", "0", "share of the long lines that are drawn twice, 0 to 1", LOAD},

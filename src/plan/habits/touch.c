@@ -95,7 +95,8 @@ static float breadth_at(noise *wear, const plan_options *o, point p)
 
 static double pressure_at(noise *slow, const stroke_list *list, const stroke *s, const plan_options *o, point p)
 {
-    double own = plb_normal_quantile(random_unit(random_key(o->seed, s->identity, PURPOSE_TOUCH), 0) * 0.998 + 0.001);
+    uint64_t address = s->style.company ? s->style.company : s->identity;
+    double own = plb_normal_quantile(random_unit(random_key(o->seed, address, PURPOSE_TOUCH), 0) * 0.998 + 0.001);
     double change = SLOW_PRESSURE * noise_at(slow, p) + OWN_PRESSURE * own;
     double length = clamp(plb_stroke_length(list, s), SHORTEST, LONGEST);
     return s->style.kind == STROKE_LETTER ? exp(LETTERING * change) : exp(change) * pow(length / USUAL_LENGTH, LENGTH_POWER);

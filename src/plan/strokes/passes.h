@@ -23,6 +23,8 @@ bool plb_plan_smooth(stroke_list *list, error *err);
 /* neighbours.c finds each line's max_deviation: a straight line with another beside it must not deviate so far that the
  * two meet. At most `threads` share the work. */
 bool plb_plan_neighbours(stroke_list *list, int threads, error *err);
+/* nested.c does the same for closed lines inside each other. */
+bool plb_plan_nested(stroke_list *list, error *err);
 /* junctions.c lessens the max_deviation of a line that others end upon. */
 bool plb_plan_junctions(stroke_list *list, int threads, error *err);
 /* beside_letters.c finds it for lines beside lettering: a line drawn with a pencil `width` mm wide must not run into it. */

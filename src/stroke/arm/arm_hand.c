@@ -3,6 +3,7 @@
  * A free hand as measured: deviations in waves over the whole line instead of at control points, hooks at free ends, and a
  * memory of curves.
  */
+#include "base/number/random.h"
 #include "base/number/units.h"
 #include "stroke/path/trace.h"
 #include "stroke/texture/models.h"
@@ -12,11 +13,14 @@
 /* Gives the hand of a stroke: the modes and, if the model is measured, all that depends on direction and ends. The papers know neither. */
 static hand hand_of(const base_line *b, const stroke *s, double length, const stroke_options *o, bool measured)
 {
-    hand h = plb_hand(length, s->closed, s->identity, o);
+    hand h = plb_hand(length, s->closed, measured && s->style.company ? s->style.company : s->identity, o);
     if (!measured)
         return h;
     if (b->n > 2)
         plb_hand_reach(&h, plb_base_extent(b));
+    double radius = s->closed ? plb_base_radius(b) : 0;
+    if (radius > 0)
+        plb_hand_egg(&h, radius, random_key(o->seed, s->style.company ? s->style.company : s->identity, PURPOSE_HAND));
     bool backward = plb_hand_backward(plb_base_way(b), o->handed);
     if (!s->closed)
         plb_hand_direct(&h, plb_base_way(b), backward ? !s->corner_first : !s->corner_last, o);

@@ -21,11 +21,14 @@ typedef struct {
     double late;               /* the second half of the way deviates so much more, and the first less (a share) */
     double lean, drift;        /* of the way's second half, and of its free end */
     bool backward;             /* the hand draws from last to first */
+    double limit;              /* about how far it may stray at most, mm; 0: freely */
     double hook_first, hook_last, hook_reach; /* of free ends, and over which length */
 } hand;
 hand plb_hand(double length, bool closed, uint64_t identity, const stroke_options *o);
 /* On a curve the modes go by how far it reaches, `extent` in mm, instead of by its length. */
 void plb_hand_reach(hand *h, double extent);
+/* A closed line that is a circle of `radius` mm becomes egg-shaped. */
+void plb_hand_egg(hand *h, double radius, uint64_t key);
 /* Tells how far off the line the hand is at `along` mm from its start: mm to the left of the direction. */
 double plb_hand_off(const hand *h, double along);
 

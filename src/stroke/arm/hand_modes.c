@@ -77,8 +77,29 @@ void plb_hand_reach(hand *h, double extent)
         h->amplitude[k] *= share;
 }
 
+/* A circle drawn freely is an egg: its second harmonic has about this amplitude in the median, of its radius, with this standard deviation of the
+ * logarithm, at most so much, and its third this share of the second. (Small circles of three writers of hdBPMN: 1.5 to 12 % of the radius; the logarithm
+ * of the aspect of 544 annotated ones, twice the amplitude: .08 in the median, .27 in the 90th percentile, errors of annotation included.) Large
+ * circles are drawn with more care: no more than so many mm. */
+#define EGG_MEDIAN 0.038
+#define EGG_SPREAD 0.6
+#define EGG_LARGEST 0.1
+#define EGG_THIRD 0.35
+#define EGG_LARGEST_MM 0.32
+
+void plb_hand_egg(hand *h, double radius, uint64_t key)
+{
+    double size = fmin(EGG_MEDIAN * exp(EGG_SPREAD * amplitude(key, 0x100) * MEDIAN_OF_FOUR * sqrt(3)), EGG_LARGEST);
+    double most = h->strength * fmin(size * radius, EGG_LARGEST_MM);
+    for (int k = 0; k < 4 && k < h->waves; k++) {
+        double angle = 2 * PLB_PI * random_unit(key, 0x102 + (uint64_t)(k / 2)), share = k < 2 ? 1 : EGG_THIRD;
+        h->amplitude[k] += most * share * (k & 1 ? sin(angle) : cos(angle));
+    }
+}
+
 void plb_hand_keep(hand *h, double limit)
 {
+    h->limit = limit;
     double squares = h->lean * h->lean;
     for (int k = 0; k < h->waves; k++)
         squares += h->amplitude[k] * h->amplitude[k];

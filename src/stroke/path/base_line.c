@@ -5,6 +5,8 @@
  */
 #include "stroke/path/trajectory.h"
 
+#include <math.h>
+
 base_line plb_base_line(const stroke_list *list, const stroke *s)
 {
     return (base_line){list->points.v + s->first, s->n, 0, 0, s->closed};
@@ -29,6 +31,23 @@ double plb_base_extent(const base_line *b)
     for (size_t i = 0; i < b->n; i++)
         plb_box_add(&around, b->v[i]);
     return plb_point_length((point){around.x1 - around.x0, around.y1 - around.y0});
+}
+
+/* A circle's points lie about its centre within this share of its radius (chosen by eye: a rounded square is none), and are at least so many. */
+#define ROUND_WITHIN 0.04
+#define ROUND_POINTS 8
+
+double plb_base_radius(const base_line *b)
+{
+    box around = BOX_EMPTY;
+    for (size_t i = 0; i < b->n; i++)
+        plb_box_add(&around, b->v[i]);
+    point centre = {(around.x0 + around.x1) / 2, (around.y0 + around.y1) / 2};
+    double radius = (around.x1 - around.x0 + around.y1 - around.y0) / 4;
+    bool is_round = b->closed && b->n > ROUND_POINTS;
+    for (size_t i = 0; is_round && i < b->n; i++)
+        is_round = fabs(plb_point_distance(b->v[i], centre) - radius) <= ROUND_WITHIN * radius;
+    return is_round ? radius : 0;
 }
 
 /* Gives the direction at a vertex: between its two segments'. */

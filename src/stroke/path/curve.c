@@ -43,6 +43,10 @@
 #define OVERLAP_MIN 0.02
 #define OVERLAP_MAX 0.05
 #define OVERLAP_LARGEST_MM 3.0
+/* A circle is overdrawn by up to this share, a quarter turn, mostly by little, at most so far, mm. */
+#define OVERLAP_ROUND 0.25
+#define OVERLAP_ROUND_POWER 2.5
+#define OVERLAP_ROUND_MM 8.0
 #define MISS 0.012
 #define MISS_LARGEST_MM 0.8
 #define TOP_WITHIN 0.6
@@ -230,7 +234,11 @@ static bool trace_closed(const base_line *b, double length, const hand *h, uint6
 {
     double share = OVERLAP_MIN + (OVERLAP_MAX - OVERLAP_MIN) * random_unit(key, 1);
     double overlap = fmin(share * length, OVERLAP_LARGEST_MM);
+    if (plb_base_radius(b) > 0 && !h->limit)
+        overlap = fmin((OVERLAP_MIN + (OVERLAP_ROUND - OVERLAP_MIN) * pow(random_unit(key, 1), OVERLAP_ROUND_POWER)) * length, OVERLAP_ROUND_MM);
     double miss = fmin(MISS * plb_base_extent(b) * (0.3 + 1.4 * random_unit(key, 2)), MISS_LARGEST_MM);
+    if (h->limit > 0)
+        miss = fmin(miss, h->limit);
     out->closed = false;
     return go_round(c, b, find_beginning(b, key), length, overlap) &&
            draw_course(c, h, length, h->strength * (random_bits(key, 3) & 1 ? miss : -miss), out);

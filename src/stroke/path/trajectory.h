@@ -40,6 +40,8 @@ double plb_base_length(const base_line *b);
 point plb_base_way(const base_line *b);
 /* Gives the diagonal of the box around it: of a straight line, its length. */
 double plb_base_extent(const base_line *b);
+/* Gives the radius of a closed line that is a circle, or a smooth polygon for one, mm; of others 0. */
+double plb_base_radius(const base_line *b);
 /* Gives the place `along` mm from the start and `off` mm to the left of the direction there; moves the cursor. */
 point plb_base_place(base_line *b, double along, double off);
 /* Computes arc lengths and tangents of samples whose places are known; samples that coincide with the one before are dropped. */
