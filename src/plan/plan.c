@@ -185,6 +185,7 @@ static bool context_init(plan_context *c, const display_list *list, const plan_o
     plb_free(is_inked);
     if (!ok)
         return false;
+    const display_list *drawn = list; /* a white word is no run with the dark area that it is written on */
     list = c->list;
     c->clips = plb_clipper_new(list, err);
     c->occluders = c->clips ? plb_occluders_new(list, o, c->clips, err) : NULL;
@@ -193,7 +194,7 @@ static bool context_init(plan_context *c, const display_list *list, const plan_o
     if (!c->cells || !plb_manners_find(list, o, &curve, c->cells, &manners, err))
         return false;
     c->glyphs = plb_glyphs_new(o->pencil_width, err);
-    c->runs = c->glyphs ? plb_letter_runs_new(list, err) : NULL;
+    c->runs = c->glyphs ? plb_letter_runs_new(drawn, err) : NULL;
     c->hatcher = plb_hatcher(list, o, &curve, &manners);
     return c->runs && plb_usual_width(list, o, &c->usual_width, err);
 }

@@ -58,6 +58,19 @@ static void another_colour_size_or_place_begins_another_run(void)
     plb_list_free(&l);
 }
 
+static void a_word_on_an_area_of_its_paint_is_a_run_of_its_own(void)
+{
+    display_list l;
+    plb_list_init(&l);
+    item area = {.kind = ITEM_FILL, .paint = {PAINT_SOLID, 0, 0, 0, 1}, .clip = NO_CLIP}, word = area;
+    add_box(&area.path, 0, 0, 30, 30, false);
+    for (int i = 0; i < 3; i++)
+        add_box(&word.path, 10 + 3 * i, 10, .4, 4, false);
+    CHECK(plb_list_add(&l, &area, NULL) && plb_list_add(&l, &word, NULL));
+    CHECK(run_of(&l, 0).fills == 1 && run_of(&l, 1).fills == 1 && run_of(&l, 1).stem < .5);
+    plb_list_free(&l);
+}
+
 static void broad_stems_make_a_bold_run(void)
 {
     display_list l;
@@ -83,6 +96,7 @@ int main(void)
 {
     RUN(letters_beside_each_other_are_one_run);
     RUN(another_colour_size_or_place_begins_another_run);
+    RUN(a_word_on_an_area_of_its_paint_is_a_run_of_its_own);
     RUN(broad_stems_make_a_bold_run);
     RUN(a_bar_by_itself_is_not_bold);
     CHECK_EXIT;

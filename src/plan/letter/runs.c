@@ -12,9 +12,10 @@
  * space is .3, a stop .12). */
 #define NEAR_SIZES 0.8
 #define LIKE_SIZE 0.08
-/* Stems of neighbours differ by no more than this factor, unless one is a dot, a comma or a dash: smaller than such a part of the other. */
+/* Stems of neighbours differ by no more than this factor, unless one is a dot, a comma or a dash: of so few contours, and smaller than such a part of the other. */
 #define LIKE_STEM 1.5
 #define SMALL_SIZE 0.4
+#define SMALL_CONTOURS 2
 /* Larger fills, mm, or fills of more points are no single letters; a page of text in one fill is measured all the same. */
 #define LARGEST_MM 60.0
 #define MAX_POINTS 100000u
@@ -37,6 +38,7 @@ typedef struct {
     box bounds;
     double area, perimeter;
     double size; /* of the largest contour: its longer side */
+    unsigned contours;
 } measure;
 
 /* The run that grows. */
@@ -87,6 +89,7 @@ static bool end_contour(run_maker *k, measure *fill, measure *c, point at, point
     plb_box_add(&fill->bounds, (point){c->bounds.x1, c->bounds.y1});
     double size = size_of(c->bounds), marked = c->area < 0 ? -size : size;
     fill->size = fmax(fill->size, size);
+    fill->contours++;
     return array_push(&k->sizes, marked);
 }
 
@@ -150,7 +153,8 @@ static bool goes_on(const run_maker *k, const item *it, const measure *m)
     double p = k->at.size, q = m->size, larger = fmax(p, q);
     double apart = fmax(fmax(b.x0 - a.x1, a.x0 - b.x1), fmax(b.y0 - a.y1, a.y0 - b.y1));
     double s = stem_of(&k->at), t = stem_of(m);
-    bool is_like_stem = fmax(s, t) <= LIKE_STEM * fmin(s, t) || fmin(p, q) < SMALL_SIZE * larger;
+    unsigned of_smaller = p < q ? k->at.contours : m->contours;
+    bool is_like_stem = fmax(s, t) <= LIKE_STEM * fmin(s, t) || (fmin(p, q) < SMALL_SIZE * larger && of_smaller <= SMALL_CONTOURS);
     return larger <= LARGEST_MM && fmin(p, q) >= LIKE_SIZE * larger && apart <= NEAR_SIZES * larger && is_like_stem;
 }
 
