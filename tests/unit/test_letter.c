@@ -100,6 +100,22 @@ static void bars_become_their_centre_lines(void)
     }
 }
 
+/* A stem of .4 mm that ends in a hook hardly longer than it is thick, as an f in a sans serif font: the pen goes round and out to the hook's end,
+ * whichever way the letter is turned. */
+static void a_short_hook_is_followed_to_its_end(void)
+{
+    static const double hook[] = {0, 4, 0, .75, .05, .45, .17, .2, .36, .05, .6, 0, 1, 0, 1, .34, .7, .34, .55, .38, .45, .5, .4, .75, .4, 4};
+    for (int turn = 0; turn < 360; turn += 30) {
+        result r = polygon(hook, 13, turn);
+        point along = {cos(turn * PLB_PI / 180), sin(turn * PLB_PI / 180)}, tip = r.first[0];
+        CHECK(r.taken && r.n == 1);
+        if (fabs(point_cross(along, tip)) > 2)
+            tip = r.last[0];
+        CHECK_RANGE(point_dot(along, tip), .75, 1.05);
+        CHECK_RANGE(point_cross(along, tip), 0, .36);
+    }
+}
+
 static const double ell[] = {0, 0, .5, 0, .5, 4, 3, 4, 3, 4.5, 0, 4.5};
 
 static void an_l_is_one_stroke_with_a_corner(void)
@@ -273,6 +289,7 @@ static void huge_and_degenerate_shapes_end(void)
 int main(void)
 {
     RUN(bars_become_their_centre_lines);
+    RUN(a_short_hook_is_followed_to_its_end);
     RUN(an_l_is_one_stroke_with_a_corner);
     RUN(a_v_runs_into_its_point);
     RUN(a_t_has_a_straight_bar);

@@ -35,6 +35,7 @@
 #define BROAD_MOST 1.25
 #define PRESSURE 1.8         /* of a word's strokes, times a line's: a person presses on letters, which are small and are to be read */
 #define BOLD_PRESSURE 1.25   /* in a bold word, times that */
+#define DOT_PRESSURE 1.4     /* of a dot, times its word's: a decimal point is pressed into the paper */
 #define ROOM 0.34            /* hatching keeps so many sizes of its letters away from a word: it goes neither between nor into letters */
 #define ROOM_MOST_MM 1.4     /* … of large ones so far */
 #define ROOM_LARGEST_MM 14.0 /* larger shapes are no words */
@@ -142,6 +143,8 @@ static bool add_dot(lettering *l, box b)
     point middle = {(b.x0 + b.x1) / 2, (b.y0 + b.y1) / 2};
     double radius = fmax((size_of(b) - l->options->shade_width) / 2, MIN_RING_MM);
     bool ok = begin_stroke(l, true, 0);
+    if (ok)
+        l->strokes.tracks.v[l->strokes.tracks.n - 1].style.pressure *= (float)DOT_PRESSURE;
     for (int i = 0; ok && i <= 12; i++) {
         double a = -PLB_PI / 2 - (i % 12) * PLB_PI / 6;
         ok = plb_track_push(&l->strokes, (point){middle.x + radius * cos(a), middle.y + radius * sin(a)}, false);
