@@ -162,6 +162,21 @@ static void small_white_words_are_written(void)
     plb_list_free(&list);
 }
 
+static void white_words_on_a_picture_that_is_left_out_are_written(void)
+{
+    for (unsigned pictures = 0; pictures < 2; pictures++) {
+        bool is_inked[8] = {false};
+        display_list list = page();
+        list.omissions.n[OMISSION_IMAGE] = pictures;
+        fill(&list, 10, 10, 80, 80, 1); /* the paper that it leaves */
+        fill(&list, 20, 20, .4, 3, 1);
+        fill(&list, 60, 60, .8, 6, 1);
+        curve_of(&list, is_inked);
+        CHECK(!is_inked[0] && is_inked[1] == (pictures > 0) && is_inked[2] == (pictures > 0));
+        plb_list_free(&list);
+    }
+}
+
 static void paints_that_look_alike_differ_in_manner(void)
 {
     display_list list = page();
@@ -195,6 +210,7 @@ int main(void)
     RUN(charts_and_dots_are_no_cells);
     RUN(tones_below_lines_and_words_are_light);
     RUN(small_white_words_are_written);
+    RUN(white_words_on_a_picture_that_is_left_out_are_written);
     RUN(paints_that_look_alike_differ_in_manner);
     CHECK_EXIT;
 }

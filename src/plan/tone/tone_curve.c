@@ -29,6 +29,8 @@
 #define WHITE 0.2
 #define OPEN_HEIGHT_MM 4.0
 #define WORD_GAP 0.5
+/* Letters on a picture are no higher, mm. */
+#define WORD_HIGHEST_MM 8.0
 /* A line is looked at in so many places, and lies on an area that holds so many of them. */
 #define LOOKS 12
 #define LEAST_LOOKS 2
@@ -108,6 +110,14 @@ static void note(double *darkest, double dark, const area *a)
 
 static bool is_white_on_dark(double dark, const area *a) { return dark < WHITE && a->darkness > dark + CONTRAST; }
 
+/* Tells whether a mark no larger than a letter is white upon white in a drawing whose raster pictures are left out: it was seen on one of those, which leaves
+ * paper behind, and is written dark. */
+static bool is_white_on_picture(const survey *s, const item *it, double dark, const area *a)
+{
+    box b = plb_path_bounds(&it->path);
+    return s->list->omissions.n[OMISSION_IMAGE] && dark < WHITE && a->darkness < WHITE && b.y1 - b.y0 < WORD_HIGHEST_MM;
+}
+
 /* Looks at what lies below the middle of a letter. */
 static void look_below_letter(survey *s, size_t i, size_t first)
 {
@@ -118,7 +128,7 @@ static void look_below_letter(survey *s, size_t i, size_t first)
     if (!a)
         return;
     note(&s->darkest_of_words, dark, a);
-    s->is_inked[i] = is_white_on_dark(dark, a);
+    s->is_inked[i] = is_white_on_dark(dark, a) || is_white_on_picture(s, it, dark, a);
     s->below[i] = (size_t)(a - s->areas.v);
 }
 
@@ -144,7 +154,7 @@ static void settle_words(survey *s)
     for (size_t i = 0, end; i < s->list->items.n; i = end) {
         double height = 0;
         end = s->is_inked[i] ? word_end(s, i, &height) : i + 1;
-        for (size_t k = i; k < end && height >= OPEN_HEIGHT_MM; k++) {
+        for (size_t k = i; k < end && height >= OPEN_HEIGHT_MM && s->areas.v[s->below[k]].darkness > WHITE; k++) {
             s->lightest = fmin(s->lightest, s->areas.v[s->below[k]].darkness);
             s->is_inked[k] = false;
         }
@@ -191,10 +201,10 @@ static void add_knot(tone_curve *c, double in, double out)
     c->out[c->n++] = out;
 }
 
-/* Tells whether any area is so dark that it matters what lies on it. */
+/* Tells whether any area is so dark that it matters what lies on it, or may have been a picture. */
 static bool is_due(const survey *s)
 {
-    bool dark = false;
+    bool dark = s->list->omissions.n[OMISSION_IMAGE] > 0;
     for (size_t k = 0; k < s->areas.n && !dark; k++)
         dark = s->areas.v[k].darkness > CARRIES_DARK;
     return dark;
