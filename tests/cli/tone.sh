@@ -38,6 +38,11 @@ for pencil in 2H HB 3B 8B; do
     got=$(darkness -p $pencil)
     check "$pencil and a softer one: black is black, $got" awk -v got="$got" 'BEGIN { exit !(got > 1.0 && got < 1.15) }' # with the light square's .2
 done
+# A scale that is measured, for a ruler's lines here, is the soft pencil's own: the same dark comes out as by hand.
+sed -i 's/height="26"\/>$/height="26" fill="#333333"\/>/' dark.svg
+by_hand=$(darkness) by_ruler=$(darkness --squiggle 0)
+sed -i 's/ fill="#333333"//' dark.svg
+check "a dark has one tone by hand and by ruler: $by_hand, $by_ruler" awk -v a="$by_hand" -v b="$by_ruler" 'BEGIN { exit !(a > .8 && b - a < .05 && a - b < .05) }'
 own=$(darkness --shade same)
 check "HB alone has its own darkest, $own" awk -v got="$own" 'BEGIN { exit !(got > .78 && got < .92) }'
 is "a pencil that goes no darker changes nothing" "$(darkness --shade 2H)" "$own"

@@ -79,6 +79,7 @@ bool plb_api_find_soft(const plb_options *o, const display_list *list, plan_opti
     plb_profile *found = load(o, darkest, err);
     plb_options other = *o; /* borrows all, but draws with the pencil that was found */
     other.profile = found;
+    with.shade_width = found ? plb_profile_width(found) : with.shade_width;
     if (!found || !plb_api_find_tone(&other, &with, err)) {
         plb_profile_free(found);
         return false;

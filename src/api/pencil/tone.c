@@ -122,6 +122,7 @@ bool plb_api_measure_tone(const plb_options *o, const plan_options *options, dou
     plan_options plain = *options;
     plain.seed = SWATCH_SEED;
     plain.colour = false;
+    plain.soft_width = 0; /* the scale is this pencil's alone */
     for (int k = 0; k < TONE_STEPS; k++) /* a scale on which darkness is effort */
         plain.tone.darkness[k] = TONE_FAINTEST + (1 - TONE_FAINTEST) * k / (TONE_STEPS - 1);
     bool ok = true;
