@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "base/patch.h"
 #include "profile/profile.h"
+#include "surface/ground.h"
 
 #include <cairo.h>
 #include <pthread.h>
@@ -56,6 +57,8 @@ typedef struct {
     row_extent *marked;  /* of each row */
     pthread_mutex_t *lock; /* of each stripe of rows */
     int locks;
+    const ground *sheet; /* borrowed; NULL: white */
+    double pixel;        /* mm; where there is a sheet */
     const graphite *ink, *soft; /* borrowed; soft: the other pencil's, NULL where there is none */
 } page;
 
@@ -81,7 +84,8 @@ bool plb_page_next_band(page *p);
  * threads. */
 void plb_page_lay(page *p, const patch *from, const pigment *with);
 
-typedef enum { PAGE_WHITE, PAGE_TRANSPARENT } page_background;
+/* White, nothing, or the page's sheet. */
+typedef enum { PAGE_WHITE, PAGE_TRANSPARENT, PAGE_PAPER } page_background;
 
 /* Returns the number of bytes of a pixel in pictures with this background: grey or red, green and blue; and alpha. */
 int plb_page_channels(page_background background, bool colour);

@@ -33,7 +33,7 @@ bool plb_page_to_cairo(const page *p, page_background background, cairo_surface_
 {
     unsigned char *data = cairo_image_surface_get_data(to);
     size_t stride = (size_t)cairo_image_surface_get_stride(to);
-    int channels = plb_page_channels(background, p->planes > 1);
+    int channels = plb_page_channels(background, p->planes == PIGMENT_PLANES);
     uint8_t *bytes = plb_new((size_t)p->width, (size_t)channels);
     for (int y = 0; bytes && y < p->rows; y++) {
         uint32_t *row = (uint32_t *)(void *)(data + (size_t)(p->top + y) * stride);

@@ -84,8 +84,24 @@ static void colour_alpha_row(const page *p, int y, uint8_t *out)
     }
 }
 
+/* Lays the opaque row on the page's sheet, which returns less of the light. */
+static void lay_on_sheet(const page *p, int y, uint8_t *row)
+{
+    int channels = p->planes == PIGMENT_PLANES ? PIGMENT_PLANES : 1;
+    float light[GROUND_PIECE];
+    for (int first = 0; first < p->width; first += GROUND_PIECE) {
+        int n = p->width - first < GROUND_PIECE ? p->width - first : GROUND_PIECE;
+        plb_ground_row(p->sheet, (first + 0.5) * p->pixel, (y + 0.5) * p->pixel, p->pixel, n, light);
+        for (int x = 0; x < n; x++)
+            for (int k = 0; k < channels; k++, row++)
+                *row = (uint8_t)((float)*row * light[x] * (channels > 1 ? plb_ground_tint[k] : 1) + 0.5F);
+    }
+}
+
 void plb_page_row(const page *p, page_background background, int y, uint8_t *out)
 {
     static void (*const rows[2][2])(const page *, int, uint8_t *) = {{grey_row, grey_alpha_row}, {colour_row, colour_alpha_row}};
     rows[p->planes == PIGMENT_PLANES][background == PAGE_TRANSPARENT](p, y, out);
+    if (background == PAGE_PAPER && p->sheet)
+        lay_on_sheet(p, y, out);
 }

@@ -5,7 +5,7 @@ example a.svg
 cat >lines.svg <<'SVG'
 <svg xmlns="http://www.w3.org/2000/svg" width="120mm" height="100mm" viewBox="0 0 120 100">
 <g fill="none" stroke="black" stroke-width=".4">
-<path d="M8 8H112M8 16L112 20M10 26V92M20 40C50 20 70 60 110 30M20 90L50 50M30 92L60 52L90 92"/><circle cx="95" cy="65" r="14"/>
+<path d="M8 8H112M8 16L112 20M10 26V92M20 40C50 20 70 60 110 30M20 90L50 50M30 92L60 52L90 92"/><path d="M95 51A14 14 0 1 1 81 65"/>
 <path stroke="#c03020" d="M30 62L22 66"/>
 </g>
 </svg>

@@ -170,6 +170,13 @@ draws "--background none" --background none -o none.png a.svg
 is "none: 8-bit grey with alpha" "$(info none.png colour) $(info none.png depth)" "grey+alpha 8"
 far=$(tool png_compare white.png none.png | awk '{ print ($4 <= 2 && $1 == "different" && $3 == "max") ? "" : $0 }')
 report "none over white is white, but for rounding" "$far"
+draws "--background paper" --background paper -o paper.png a.svg
+is "paper: 8-bit grey" "$(info paper.png colour) $(info paper.png depth)" "grey 8"
+draws "paper on one thread" --threads 1 --background paper -o again.png a.svg
+same "paper: the same bytes on one thread" paper.png again.png
+draws "paper in colours" --background paper --colour -o warm.png a.svg
+is "paper in colours: 8-bit RGB" "$(info warm.png colour) $(info warm.png depth)" "rgb 8"
+for suffix in jpg pdf svg; do draws "paper in $suffix" --background paper -o "paper.$suffix" a.svg; done
 misused "--background of another name" background --background pink a.svg
 
 # ---- a folder for the pictures, and pictures that are there ----

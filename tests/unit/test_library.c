@@ -304,6 +304,37 @@ static void pixels_of_a_part_are_those_of_the_page(void)
     plb_drawing_free(d);
 }
 
+/* A cairo surface shows what pixels show: of a dark that a second pencil shades, on white and on paper. */
+static void a_surface_shows_the_pixels(void)
+{
+    static const char text[] = "plumbago-list 1\npage 60 40\nstroke - colour 0 0 0 1 width 0.5 butt M 5 5 L 55 5\n"
+                               "fill - colour 0 0 0 1 nonzero M 10 15 L 40 15 L 40 35 L 10 35 Z\nend\n";
+    plb_options *o = options_at(100);
+    plb_error e;
+    plb_file *f = plb_file_from_memory(text, sizeof text - 1, "text", &e);
+    plb_drawing *d = f ? plb_file_draw(f, o, &e) : NULL;
+    uint8_t page[2][157][236];
+    for (int paper = 0; paper < 2; paper++) {
+        CHECK(plb_options_set(o, "background", paper ? "paper" : "white", &e));
+        plb_pixels to = {page[paper], 236, PLB_PIXELS_GREY, 0, 0, 236, 157};
+        CHECK(d && plb_drawing_render_pixels(d, &to, o, &e));
+        cairo_surface_t *s = plb_drawing_render(d, o, &e);
+        CHECK(s && cairo_image_surface_get_width(s) == 236 && cairo_image_surface_get_height(s) == 157);
+        int wrong = 0;
+        for (int y = 0; s && y < 157; y++) {
+            const uint32_t *row = (const uint32_t *)(const void *)(cairo_image_surface_get_data(s) + y * cairo_image_surface_get_stride(s));
+            for (int x = 0; x < 236; x++)
+                wrong += (row[x] & 255) != page[paper][y][x];
+        }
+        CHECK(wrong == 0);
+        cairo_surface_destroy(s);
+    }
+    CHECK(page[0][100][100] < 80 && page[0][2][2] == 255 && page[1][2][2] < 255 && page[1][2][2] > 225);
+    plb_drawing_free(d);
+    plb_file_free(f);
+    plb_options_free(o);
+}
+
 static bool refuse(void *closure, const void *data, size_t n)
 {
     (void)data;
@@ -460,6 +491,7 @@ int main(void)
     RUN(clips_hold_strokes_back);
     RUN(a_canvas_remembers_what_failed);
     RUN(pixels_of_a_part_are_those_of_the_page);
+    RUN(a_surface_shows_the_pixels);
     RUN(sinks_may_refuse);
     RUN(many_lines_in_one_call);
     RUN(profiles_come_from_bytes);

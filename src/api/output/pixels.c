@@ -60,7 +60,7 @@ static bool render(const plb_drawing *d, const plb_pixels *to, const plb_options
     if (!check_pixels(to, o, err) || !plb_api_context_for(&t, d, o, err) || !plb_page_plan(d, o, &plan, err))
         return false;
     int wanted = (int)to->format + 1, bottom = to->y + to->height, right = to->x + to->width;
-    page_background background = wanted % 2 == 0 ? (page_background)o->background : PAGE_WHITE;
+    page_background background = wanted % 2 == 0 || o->background == PAGE_PAPER ? (page_background)o->background : PAGE_WHITE;
     pixel_target target = {to, background, right < plan.width ? right : plan.width, plb_page_channels(background, o->colour), wanted, NULL};
     plan.height = bottom < plan.height ? bottom : plan.height;
     plan.top = to->y > 0 ? to->y : 0;

@@ -135,10 +135,19 @@ static bool prepare_soft(render_job *c, error *err)
     return c->options.soft;
 }
 
+/* Makes the sheet that lies behind the graphite, where one is wanted. */
+static bool make_sheet(const plb_drawing *d, const plb_options *o, ground **sheet, error *err)
+{
+    stroke_list strokes = plb_api_strokes_on_page(d);
+    *sheet = o->background == PAGE_PAPER ? plb_ground_new(&strokes, o->seed, err) : NULL;
+    return *sheet || o->background != PAGE_PAPER;
+}
+
 bool plb_render(const plb_drawing *d, const plb_options *o, const render_context *t, const page_plan *plan, band_sink sink, void *closure,
                 error *err)
 {
     page p = {0};
+    ground *sheet = NULL;
     band_strokes bands = {0};
     render_job *c = plb_new(1, sizeof *c);
     if (!c)
@@ -147,9 +156,11 @@ bool plb_render(const plb_drawing *d, const plb_options *o, const render_context
     c->o = o;
     c->options = t->stroke;
     c->page = &p;
-    bool ok = prepare_soft(c, err) && plb_page_init(&p, plan->width, plan->height, plan->rows, o->colour, &t->ink, d->soft ? &c->soft : NULL, err) &&
+    bool ok = prepare_soft(c, err) && make_sheet(d, o, &sheet, err) && plb_page_init(&p, plan->width, plan->height, plan->rows, o->colour, &t->ink, d->soft ? &c->soft : NULL, err) &&
               plb_bands_init(&bands, &d->strokes, &c->options, plan->top, plan->height, plan->rows, plan->members, err);
     if (ok) {
+        p.sheet = sheet;
+        p.pixel = MM_PER_INCH / o->dpi;
         plb_page_start_at(&p, plan->top);
         c->bands = bands.n;
         ok = draw_bands(c, &bands, plan->members, sink, closure, err);
@@ -157,6 +168,7 @@ bool plb_render(const plb_drawing *d, const plb_options *o, const render_context
             plb_stroke_scratch_free(&c->scratch[k]);
     }
     plb_free(c);
+    plb_ground_free(sheet);
     plb_bands_free(&bands);
     plb_page_free(&p);
     return ok || plb_fail_memory(err);

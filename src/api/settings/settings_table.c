@@ -53,8 +53,8 @@ static const setting table[] = {
      FIELD(dpi)},
     {{"pixels", 0, "Output", PLB_SETTING_PIXELS, "W|WxH", 1, 1e6, "pixels", "auto", "size of the picture, in place of a resolution; auto: by --dpi", LOAD | DRAW},
      FIELD(pixels)},
-    {{"background", 0, "Output", PLB_SETTING_CHOICE, NULL, 0, 0, "", "white", "paper, or nothing behind the graphite", DRAW},
-     FIELD(background), WORDS(WORD("white", PAGE_WHITE), WORD("none", PAGE_TRANSPARENT))},
+    {{"background", 0, "Output", PLB_SETTING_CHOICE, NULL, 0, 0, "", "white", "white, a sheet of toned paper, or nothing behind the graphite", DRAW},
+     FIELD(background), WORDS(WORD("white", PAGE_WHITE), WORD("paper", PAGE_PAPER), WORD("none", PAGE_TRANSPARENT))},
     {{"compress", 0, "Output", PLB_SETTING_WHOLE, "N", 0, 9, "", "1", "0: large at once, 9: small and slow", DRAW},
      FIELD(compress)},
 

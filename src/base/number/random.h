@@ -30,6 +30,7 @@ typedef enum {
     PURPOSE_LETTER = 42,  /* forms, size, lean and place of letters */
     PURPOSE_HATCH = 50,   /* places, ends and pressure of hatch lines */
     PURPOSE_POINT = 51,   /* how far the point is worn at a place */
+    PURPOSE_GROUND = 60,  /* the sheet as a scanner sees it */
     PURPOSE_TOUCH = 52    /* how hard the hand presses at a place, and a stroke */
 } random_purpose;
 

@@ -16,7 +16,7 @@
 
 page_background plb_picture_background(const picture_format *f, const picture_page *sheet)
 {
-    return f->see_through ? sheet->background : PAGE_WHITE;
+    return f->see_through || sheet->background == PAGE_PAPER ? sheet->background : PAGE_WHITE;
 }
 
 /* Each row has a byte before it that says how it is filtered, where that matters. */

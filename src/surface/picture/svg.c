@@ -53,7 +53,7 @@ static bool begin_page(picture *p, error *err)
     bool ok = plb_picture_print(p, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
                                    "<svg xmlns=\"http://www.w3.org/2000/svg\" xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\"\n"
                                    "     width=\"%smm\" height=\"%smm\" viewBox=\"0 0 %s %s\"%s>\n",
-                                w, h, w, h, p->page->background == PAGE_WHITE ? " style=\"background:#fff\"" : "") &&
+                                w, h, w, h, p->page->background == PAGE_WHITE ? " style=\"background:#fff\"" : p->page->background == PAGE_PAPER ? " style=\"background:#f4f2ec\"" : "") &&
               put_texts(p);
     return ok || plb_picture_fail(p, err);
 }
