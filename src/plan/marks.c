@@ -28,7 +28,19 @@
 
 static stroke_style style_of(const plan_context *p, const item *it)
 {
-    return plb_style_of(it, p->options, p->usual_width);
+    stroke_style style = plb_style_of(it, p->options, p->usual_width);
+    if (p->crowd[it - p->list->items.v] == CROWD_LINE) {
+        style.pressure *= CROWD_LINE_PRESSURE;
+        style.breadth = 1; /* with the side of the lead */
+    }
+    return style;
+}
+
+/* Makes the dots of a crowd lightly. */
+static void lighten_dot(const plan_context *p, size_t i, track_list *marks)
+{
+    for (size_t k = 0; p->crowd[i] == CROWD_DOT && k < marks->tracks.n; k++)
+        marks->tracks.v[k].style.pressure *= CROWD_DOT_PRESSURE;
 }
 
 static void set_style(track_list *l, size_t first, stroke_style style)
@@ -191,7 +203,7 @@ bool plb_plan_marks(const plan_context *p, size_t i, track_list *out, bool *stan
     const item *it = &p->list->items.v[i];
     plb_tracks_clear(out);
     *stands_for_next = false;
-    if (it->kind == ITEM_FILL)
-        return add_fill(p, i, out, stands_for_next, err);
-    return plb_is_wide(it, p->options) ? add_wide_line(p, it, out, err) : add_line(p, i, out, err);
+    bool ok = it->kind == ITEM_FILL ? add_fill(p, i, out, stands_for_next, err) : plb_is_wide(it, p->options) ? add_wide_line(p, it, out, err) : add_line(p, i, out, err);
+    lighten_dot(p, i, out);
+    return ok;
 }

@@ -9,6 +9,7 @@
 #include "plan/hidden/occlusion.h"
 #include "plan/letter/glyphs.h"
 #include "plan/letter/runs.h"
+#include "plan/tone/crowd.h"
 
 /* The marks of all items of a drawing go by these. */
 typedef struct {
@@ -21,6 +22,7 @@ typedef struct {
     glyph_store *glyphs;
     letter_runs *runs;
     cell_groups *cells;
+    crowd_part *crowd;  /* of each item */
     double usual_width; /* of the drawing's lines, mm */
 } plan_context;
 

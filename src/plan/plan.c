@@ -193,6 +193,11 @@ static bool context_init(plan_context *c, const display_list *list, const plan_o
     paint_manners manners;
     if (!c->cells || !plb_manners_find(list, o, &curve, c->cells, &manners, err))
         return false;
+    c->crowd = plb_new(list->items.n, sizeof *c->crowd);
+    if (!c->crowd)
+        return plb_fail_memory(err);
+    if (!o->colour && !plb_crowds_find(list, o, c->crowd, err))
+        return false;
     c->glyphs = plb_glyphs_new(o->pencil_width, err);
     c->runs = c->glyphs ? plb_letter_runs_new(drawn, err) : NULL;
     c->hatcher = plb_hatcher(list, o, &curve, &manners);
@@ -203,6 +208,7 @@ static void context_free(plan_context *c)
 {
     plb_letter_runs_free(c->runs);
     plb_glyphs_free(c->glyphs);
+    plb_free(c->crowd);
     plb_cells_free(c->cells);
     plb_free(c->inked.items.v);
     plb_occluders_free(c->occluders);

@@ -4,6 +4,7 @@
  */
 #include "check.h"
 
+#include "plan/tone/crowd.h"
 #include "plan/tone/cells.h"
 #include "plan/tone/manners.h"
 #include "plan/tone/tone_curve.h"
@@ -177,6 +178,44 @@ static void white_words_on_a_picture_that_is_left_out_are_written(void)
     }
 }
 
+/* Dots in a row under a line, `n` of them at once on its corners where it has markers: is the line over a crowd, and are the dots? */
+static void look_at_crowd(int n, bool on_corners, bool is_first, bool *is_line, bool *are_dots)
+{
+    crowd_part part[64] = {CROWD_NONE};
+    plan_options o = hatching();
+    display_list list = page();
+    if (is_first)
+        line(&list, 5, 50, 95, 50);
+    for (int i = 0; i < n; i++)
+        fill(&list, 10 + 4 * i, 49.5, 1, 1, .3);
+    if (on_corners)
+        for (int i = 0; i < n; i++)
+            line(&list, 10.5 + 4 * i, 50, 14.5 + 4 * i, 50);
+    else if (!is_first)
+        line(&list, 5, 50, 95, 50);
+    CHECK(plb_crowds_find(&list, &o, part, NULL));
+    *is_line = *are_dots = false;
+    for (size_t i = 0; i < list.items.n; i++) {
+        *is_line = *is_line || part[i] == CROWD_LINE;
+        *are_dots = *are_dots || part[i] == CROWD_DOT;
+        CHECK(part[i] == CROWD_NONE || (part[i] == CROWD_LINE) == (list.items.v[i].kind == ITEM_STROKE));
+    }
+    plb_list_free(&list);
+}
+
+static void a_line_over_a_crowd_of_dots_is_told_from_them(void)
+{
+    bool is_line, are_dots;
+    look_at_crowd(18, false, false, &is_line, &are_dots);
+    CHECK(is_line && are_dots);
+    look_at_crowd(4, false, false, &is_line, &are_dots); /* no crowd */
+    CHECK(!is_line && !are_dots);
+    look_at_crowd(18, true, false, &is_line, &are_dots); /* markers */
+    CHECK(!is_line && !are_dots);
+    look_at_crowd(18, false, true, &is_line, &are_dots); /* below them: a grid */
+    CHECK(!is_line && !are_dots);
+}
+
 static void paints_that_look_alike_differ_in_manner(void)
 {
     display_list list = page();
@@ -210,6 +249,7 @@ int main(void)
     RUN(charts_and_dots_are_no_cells);
     RUN(tones_below_lines_and_words_are_light);
     RUN(small_white_words_are_written);
+    RUN(a_line_over_a_crowd_of_dots_is_told_from_them);
     RUN(white_words_on_a_picture_that_is_left_out_are_written);
     RUN(paints_that_look_alike_differ_in_manner);
     CHECK_EXIT;
