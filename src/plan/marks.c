@@ -8,6 +8,7 @@
  */
 #include "plan/marks.h"
 
+#include "plan/hatch/hatch_tone.h"
 #include "plan/item/stages.h"
 #include "plan/item/weight.h"
 #include "plan/item/wide.h"
@@ -25,6 +26,9 @@
 #define DOT_SIZE 0.4
 #define DOT_NEAR 0.8
 #define DOT_ITEMS 2u
+/* A solid stop is pressed so many times as hard as other solid shapes; stems thicker than so many mm are shaded as areas (chosen by eye). */
+#define STOP_PRESSURE 1.6f
+#define STOP_SHADED_MM 1.2
 
 static stroke_style style_of(const plan_context *p, const item *it)
 {
@@ -34,6 +38,21 @@ static stroke_style style_of(const plan_context *p, const item *it)
         style.breadth = 1; /* with the side of the lead */
     }
     return style;
+}
+
+/* Presses a stop, or the dot of an i, that is solid because its letters are thick as firmly as they are drawn, with the softer pencil where that shades
+ * them. */
+static void press_stop(const plan_context *p, size_t i, track_list *marks)
+{
+    const item *it = &p->list->items.v[i];
+    box b = plb_path_bounds(&it->path);
+    letter_run r = plb_letter_run_at(p->runs, i);
+    if (r.fills < 2 || fmax(b.x1 - b.x0, b.y1 - b.y0) > DOT_SIZE * r.size)
+        return;
+    for (size_t k = 0; k < marks->tracks.n; k++) {
+        marks->tracks.v[k].style.pressure *= STOP_PRESSURE;
+        marks->tracks.v[k].style.is_soft = r.stem > STOP_SHADED_MM && plb_is_soft_tone(1 - plb_paint_lightness(it->paint), p->options);
+    }
 }
 
 /* Makes the dots of a crowd lightly. */
@@ -195,6 +214,8 @@ static bool add_fill(const plan_context *p, size_t i, track_list *out, bool *sta
         return true;
     if (fill == FILL_HATCH && !plb_plan_hatch(&p->hatcher, it, style_of(p, it).colour, &outline, out, err))
         return false;
+    if (is_blot)
+        press_stop(p, i, out);
     return !outline || outlined || add_outline(p, it, out, err);
 }
 

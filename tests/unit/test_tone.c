@@ -68,7 +68,7 @@ static void cells_that_adjoin_are_one_field(void)
     display_list list = page();
     plan_options o = hatching();
     for (int i = 0; i < 100; i++)
-        fill(&list, 20 + i % 10, 20 + i / 10, 1, 1, i / 110.);
+        fill(&list, 20 + i % 10 * 2, 20 + i / 10 * 2, 2, 2, i / 110.);
     fill(&list, 60, 60, 1, 1, .5); /* beside them */
     groups g = find_groups(&list, &o);
     CHECK(plb_cells_group(g.cells, 0) == 1 && plb_cells_group(g.cells, 99) == 1 && plb_cells_group(g.cells, 100) == 0);
@@ -76,11 +76,42 @@ static void cells_that_adjoin_are_one_field(void)
     tone_field f;
     CHECK(plb_cells_field(g.cells, 1, &f, NULL));
     for (int i = 0; i < 100; i++)
-        CHECK(fabs(plb_field_at(&f, (point){20.5 + i % 10, 20.5 + i / 10}) - (1 - i / 110.)) < 1e-6);
-    CHECK(plb_field_at(&f, (point){19, 25}) == 0 && plb_field_at(&f, (point){25, 31}) == 0);
+        CHECK(fabs(plb_field_at(&f, (point){21 + i % 10 * 2, 21 + i / 10 * 2}) - (1 - i / 110.)) < 1e-6);
+    CHECK(plb_field_at(&f, (point){19, 25}) == 0 && plb_field_at(&f, (point){25, 41}) == 0);
     plb_field_free(&f);
     free_groups(&g);
     plb_list_free(&list);
+}
+
+/* A chessboard of squares of `side` mm, about a third and two thirds dark: gives by how much the two differ in the field. */
+static double contrast_of_squares(double side)
+{
+    display_list list = page();
+    plan_options o = hatching();
+    tone_field f;
+    for (int i = 0; i < 144; i++)
+        fill(&list, 20 + i % 12 * side, 20 + i / 12 * side, side, side, ((i % 12 + i / 12) % 2 ? .3 : .6) + i % 7 * .01);
+    groups g = find_groups(&list, &o);
+    CHECK(plb_cells_group(g.cells, 0) == 1 && plb_cells_field(g.cells, 1, &f, NULL));
+    double dark = 0, light = 0;
+    for (int i = 0; i < 144; i++) {
+        double at = plb_field_at(&f, (point){20 + (i % 12 + .5) * side, 20 + (i / 12 + .5) * side});
+        CHECK(at >= 0 && at <= 1);
+        *((i % 12 + i / 12) % 2 ? &dark : &light) += at / 72;
+    }
+    CHECK_RANGE((dark + light) / 2, .49, .55); /* the mean stays */
+    plb_field_free(&f);
+    free_groups(&g);
+    plb_list_free(&list);
+    return dark - light;
+}
+
+static void small_cells_get_contrast_for_the_pencils_breadth(void)
+{
+    double of_3 = contrast_of_squares(3), of_1 = contrast_of_squares(1), of_half = contrast_of_squares(.6);
+    CHECK_RANGE(of_3, .29, .31);
+    CHECK_RANGE(of_1, .32, .37);
+    CHECK_RANGE(of_half, .38, .5);
 }
 
 /* The same hatching whatever the cells' size: white in the middle of black stays white, and no cell has an outline. */
@@ -245,6 +276,7 @@ static void paints_that_look_alike_differ_in_manner(void)
 int main(void)
 {
     RUN(cells_that_adjoin_are_one_field);
+    RUN(small_cells_get_contrast_for_the_pencils_breadth);
     RUN(a_field_is_hatched_across_its_cells);
     RUN(charts_and_dots_are_no_cells);
     RUN(tones_below_lines_and_words_are_light);
