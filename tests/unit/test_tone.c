@@ -209,6 +209,25 @@ static void white_words_on_a_picture_that_is_left_out_are_written(void)
     }
 }
 
+/* A white string with brackets is 4.4 mm high, its capitals are not 4. */
+static void brackets_make_no_white_word_large(void)
+{
+    for (int is_known = 0; is_known < 2; is_known++) {
+        bool is_inked[8] = {false};
+        display_list list = page();
+        fill(&list, 10, 10, 80, 80, .1);
+        fill(&list, 20, 20, .4, 4.4, 1);
+        if (is_known) {
+            list.items.v[1].text = plb_new(1, sizeof(text_run));
+            CHECK(list.items.v[1].text);
+            list.items.v[1].text->em = 3.8;
+        }
+        curve_of(&list, is_inked);
+        CHECK(is_inked[1] == is_known);
+        plb_list_free(&list);
+    }
+}
+
 /* Dots in a row under a line, `n` of them at once on its corners where it has markers: is the line over a crowd, and are the dots? */
 static void look_at_crowd(int n, bool on_corners, bool is_first, bool *is_line, bool *are_dots)
 {
@@ -281,6 +300,7 @@ int main(void)
     RUN(charts_and_dots_are_no_cells);
     RUN(tones_below_lines_and_words_are_light);
     RUN(small_white_words_are_written);
+    RUN(brackets_make_no_white_word_large);
     RUN(a_line_over_a_crowd_of_dots_is_told_from_them);
     RUN(white_words_on_a_picture_that_is_left_out_are_written);
     RUN(paints_that_look_alike_differ_in_manner);

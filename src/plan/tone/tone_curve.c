@@ -25,9 +25,10 @@
 /* A mark is dark on an area, or light, that differs by so much (chosen by eye: less is hardly seen in the drawing itself). */
 #define CONTRAST 0.2
 /* Words lighter than this are white. They are left open where they are at least so high, mm (chosen by eye: the holes of smaller ones
- * close up); letters of a word lie no farther apart than this part of their height. */
+ * close up); letters of a word lie no farther apart than this part of their height; capitals are so high in sizes of the font. */
 #define WHITE 0.2
 #define OPEN_HEIGHT_MM 4.0
+#define CAPITAL_EMS 0.73
 #define WORD_GAP 0.5
 /* Letters on a picture are no higher, mm. */
 #define WORD_HIGHEST_MM 8.0
@@ -132,17 +133,25 @@ static void look_below_letter(survey *s, size_t i, size_t first)
     s->below[i] = (size_t)(a - s->areas.v);
 }
 
+/* Gives the height of a letter, mm; of a fill that says that it is a string of them that of its capitals, for brackets and tails make no word
+ * larger. */
+static double letter_height(const item *it)
+{
+    box b = plb_path_bounds(&it->path);
+    return it->text ? fmin(b.y1 - b.y0, CAPITAL_EMS * it->text->em) : b.y1 - b.y0;
+}
+
 /* Gives the end of the word of white letters that begins with item number `i`, and its height. */
 static size_t word_end(const survey *s, size_t i, double *height)
 {
     box last = plb_path_bounds(&s->list->items.v[i].path);
-    *height = last.y1 - last.y0;
+    *height = letter_height(&s->list->items.v[i]);
     for (i++; i < s->list->items.n && s->is_inked[i]; i++) {
         box b = plb_path_bounds(&s->list->items.v[i].path);
         double gap = WORD_GAP * fmax(*height, b.y1 - b.y0);
         if (s->below[i] != s->below[i - 1] || b.x0 > last.x1 + gap || last.x0 > b.x1 + gap || b.y0 > last.y1 + gap || last.y0 > b.y1 + gap)
             break;
-        *height = fmax(*height, b.y1 - b.y0);
+        *height = fmax(*height, letter_height(&s->list->items.v[i]));
         last = b;
     }
     return i;
