@@ -293,9 +293,11 @@ packages-check:
 	@tests/packages $(packages_build) $(packages_tests)
 
 # ---- pictures and figures -----------------------------------------------------------------------------------
-.PHONY: figures bench realism fidelity profiles
+.PHONY: figures gallery bench realism fidelity profiles
 figures: all $(tests_bin)
 	$(Q)tests/figures $(O)
+gallery: all
+	$(Q)examples/gallery/gallery.sh $(O)/plumbago examples/gallery
 bench: all $(O)/tests/tools/measure $(O)/tests/tools/stage_speed $(O)/tests/tools/core_speed
 	$(Q)tests/bench $(O)
 fidelity: all $(tests_bin)
@@ -381,6 +383,7 @@ help:
 	@echo 'make fuzz-all   every fuzzer in turn, MINUTES=N each'
 	@echo 'make bench      speed, as ratios to rsvg-convert'
 	@echo 'make figures    the figures of the papers, in build/figures'
+	@echo 'make gallery    examples/gallery: drawings before and after'
 	@echo 'make fidelity   do drawings show what the print shows? a table and contact sheets'
 	@echo 'make realism    can a machine observer tell drawn lines from scanned ones?'
 	@echo 'make tones      the scales of tones of the eight pencils, as src/api/pencil keeps them'

@@ -150,7 +150,7 @@ static bool arrange(stroke_list *out, const plan_options *o, error *err)
     drop_short_strokes(out);
     bool ok = plb_plan_smooth(out, err) && plb_plan_neighbours(out, o->threads, err) && plb_plan_nested(out, err) && plb_plan_junctions(out, o->threads, err) &&
               plb_plan_beside_letters(out, o->pencil_width, o->threads, err) && plb_plan_ruler(out, o, err) &&
-              (!o->is_touched || o->overshoot > 0 || plb_plan_meet_corners(out, o, err)) && plb_plan_habits(out, o, err) && plb_plan_order(out, err) &&
+              (!o->is_free || o->overshoot > 0 || plb_plan_meet_corners(out, o, err)) && plb_plan_habits(out, o, err) && plb_plan_order(out, err) &&
               plb_plan_identify(out, err);
     if (ok)
         plb_plan_touch(out, o);

@@ -36,6 +36,7 @@ typedef struct {
     double shade_width;  /* … and what one of hatching, solids and wide lines covers, which are made with the side of the lead */
     double point;        /* breadth of a freshly sharpened point, times the pencil's captured line (habits/touch.c); 1: a blunt one, never sharpened */
     bool is_touched;     /* pressure and point change over the page, as measured; the papers know no such thing */
+    bool is_free;        /* the hand strays, so dashes are uneven and askew and corners are not met exactly */
     tone_scale tone;     /* what the pencil's hatching comes to */
     double soft_width;   /* of the line of a softer pencil, mm, for what the pencil cannot reach; 0: there is none */
     tone_scale soft_tone; /* … and what its hatching comes to */

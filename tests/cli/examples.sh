@@ -19,6 +19,13 @@ if [ -x "$BUILD_DIR/examples/shells" ]; then
 else
     skip "example shells" "no C++ compiler here"
 fi
+if command -v rsvg-convert >/dev/null; then
+    mkdir gallery
+    check "the gallery is drawn" "$ROOT/examples/gallery/gallery.sh" "$PLUMBAGO" gallery
+    is "it shows six drawings before and after" "$(find gallery -name '*-before.png' -size +0 | wc -l) $(find gallery -name '*-after.png' -size +0 | wc -l)" "6 6"
+else
+    skip "the gallery" "no rsvg-convert here"
+fi
 for example in "$BUILD_DIR"/examples/*; do
     case ${example##*/} in *.d | line | lighthouse | plot | shells) ;; *) fail "example ${example##*/}" "it is run by no test" ;; esac
 done

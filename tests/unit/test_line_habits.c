@@ -24,7 +24,7 @@ static setup page(void)
     s.how = plb_plan_options_default();
     s.how.pencil_width = 0.3;
     s.how.shade_width = 0.42;
-    s.how.is_touched = true;
+    s.how.is_touched = s.how.is_free = true;
     s.how.ruler = RULER_NONE;
     return s;
 }

@@ -74,6 +74,7 @@ plan_options plb_api_plan_options(const plb_options *o)
     plan.lettering = (lettering_style)o->lettering;
     plan.fill = (fill_style)o->fill;
     plan.is_touched = plb_model_at((size_t)o->model)->is_measured;
+    plan.is_free = plan.is_touched && o->squiggle != 0;
     plan.point = plb_api_point(o);
     plan.shade_width = plb_profile_width(o->profile);
     plan.pencil_width = plan.shade_width * fmin(plan.point * plb_wear_mean(&plan), 1);

@@ -23,7 +23,7 @@
  * (chosen by eye). */
 #define DASH_UNEVEN 0.15
 #define MAX_STRAY_MM 0.5
-/* A touched hand's dashes and gaps have lengths whose logarithms have these standard deviations, and differ from their own by no more than
+/* A free hand's dashes and gaps have lengths whose logarithms have these standard deviations, and differ from their own by no more than
  * so many of these. Rows of real dashes: .23 to .48 of the mean. Dashes below the first length are decided strokes and differ less, in proportion; those
  * beyond the second, as in centre lines, less by the root of it. */
 #define DASH_SPREAD 0.28
@@ -130,7 +130,7 @@ static void advance(pattern *p)
         double late = stray(p);
         p->k = (p->k + 1) % p->it->dash.n;
         p->index++;
-        p->left = p->o->is_touched ? uneven_length(p) : length_of(p, p->k) + stray(p) - late;
+        p->left = p->o->is_free ? uneven_length(p) : length_of(p, p->k) + stray(p) - late;
     } while (p->left <= 0 && (p->k & 1)); /* a gap of nothing is no gap */
 }
 
@@ -149,7 +149,7 @@ static void set_at(pattern *p, double where, double period)
         p->index++;
         p->left = length_of(p, p->k);
     }
-    p->left = fmax(p->left - phase + (p->o->is_touched ? 0 : stray(p)), 0);
+    p->left = fmax(p->left - phase + (p->o->is_free ? 0 : stray(p)), 0);
 }
 
 static bool push(pattern *p, point at, bool corner)
@@ -212,7 +212,7 @@ static bool end_dash(pattern *p, point direction)
     track dash = plb_track_at(p->out, p->out->tracks.n - 1);
     double length = plb_track_length(&dash);
     bool ok = length >= TOUCH_MM || lengthen(p, &dash, direction);
-    if (ok && p->o->is_touched && length >= TOUCH_MM && !has_corner(&dash))
+    if (ok && p->o->is_free && length >= TOUCH_MM && !has_corner(&dash))
         tilt(p, length);
     if (ok)
         p->out->points.v[p->out->points.n - 1].corner = false;
