@@ -48,12 +48,18 @@ typedef struct {
     bool counts;         /* it lies in a square that is looked at, not just near one */
 } gap_sample;
 
+typedef struct {
+    int64_t column, row;
+    bool is_looked_at;
+} looked_square;
+
 struct line_gaps {
     double width, share; /* of the pencil's line, mm; of the squares, 1: all */
     box page;
     uint32_t lines;
     ARRAY(gap_sample) samples;
     grid cells;
+    looked_square last; /* that was asked for */
 };
 
 line_gaps *plb_line_gaps_new(const display_list *list, double width, double length)
@@ -64,6 +70,7 @@ line_gaps *plb_line_gaps_new(const display_list *list, double width, double leng
     g->width = width;
     g->share = length > MAX_MM ? 0 : length > ENOUGH_MM ? ENOUGH_MM / length : 1;
     g->page = (box){0, 0, list->width, list->height};
+    g->last.column = INT64_MIN;
     if (plb_grid_init(&g->cells, APART_WIDTHS * width, (size_t)(fmin(length, ENOUGH_MM) / width)))
         return g;
     plb_free(g);
@@ -80,10 +87,15 @@ void plb_line_gaps_free(line_gaps *g)
 }
 
 /* Tells whether the square at a place is looked at. */
-static bool is_looked_at(const line_gaps *g, double x, double y)
+static bool is_looked_at(line_gaps *g, double x, double y)
 {
-    uint64_t square = random_fold(0, (int64_t)floor(x / SQUARE_MM), (int64_t)floor(y / SQUARE_MM));
-    return g->share >= 1 || (double)(random_mix(square) >> 11) * 0x1p-53 < g->share;
+    if (g->share >= 1)
+        return true;
+    int64_t column = (int64_t)floor(x / SQUARE_MM), row = (int64_t)floor(y / SQUARE_MM);
+    /* most samples lie in the square of the one before */
+    if (column != g->last.column || row != g->last.row)
+        g->last = (looked_square){column, row, (double)(random_mix(random_fold(0, column, row)) >> 11) * 0x1p-53 < g->share};
+    return g->last.is_looked_at;
 }
 
 /* Tells whether a place lies about so near to the edge of its square that the next square may be within reach. */
