@@ -13,6 +13,7 @@
  */
 #include "base/geometry/interpolate.h"
 #include "base/simd16.h"
+#include "base/simd_clones.h"
 #include "base/number/random.h"
 #include "stroke/pencil.h"
 
@@ -58,10 +59,17 @@ static double usual_or(double pressure)
     return pressure > 0 ? clamp(pressure, PRESSURE_MIN, PRESSURE_MAX) : 1;
 }
 
+/* Gives the powers that act on a line as a whole: all but the level's. */
 static response respond(double pressure)
 {
     const response *r = pressure < 1 ? &light : &heavy;
-    return (response){pow(pressure, r->level), pow(pressure, r->depth), pow(pressure, r->width), pow(pressure, r->spread)};
+    return (response){.depth = pow(pressure, r->depth), .width = pow(pressure, r->width), .spread = pow(pressure, r->spread)};
+}
+
+/* Gives what the pressure at a place does to the darkness expected there. */
+static float level_at(double pressure)
+{
+    return (float)pow(pressure, pressure < 1 ? light.level : heavy.level);
 }
 
 /* ---- buffers ---- */
@@ -167,21 +175,39 @@ static int clamp_int(int v, int low, int high)
 #define GAIN_UNIT (65536.0F * GRAIN_LEVEL_UNIT / (64.0F * ROOT_UNIT * ROOT_UNIT / 65536))
 _Static_assert(8 * ROOT_MAX <= INT16_MAX, "roots stay within 16 bits");
 
-static void fill_levels(const grain_tables *t, const int16_t coefficient[GRAIN_MODES], int16_t gain, uint8_t out[GRAIN_PLACES_PADDED])
+/* Returns the upper half of a product. */
+static inline int16_t high_of(int16_t a, int16_t b)
 {
-    lanes of_mode[GRAIN_MODES], of_gain = simd16_all(gain);
-    for (int i = 0; i < GRAIN_MODES; i++)
-        of_mode[i] = simd16_all(coefficient[i]);
-    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j += SIMD16_LANES) {
-        lanes root = simd16_at(t->root + j);
+    return (int16_t)((a * b) >> 16);
+}
+
+/* Step by step, each of which is a few instructions for all places that fit into a register. */
+PLB_SIMD_CLONES static void fill_levels(const grain_tables *t, const int16_t coefficient[GRAIN_MODES], int16_t gain, uint8_t out[restrict GRAIN_PLACES_PADDED])
+{
+    int16_t v[GRAIN_MODE_PLACES - 1];
+    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j++) {
+        v[j] = t->root[j];
         for (int i = 0; i < GRAIN_MODES; i++)
-            root += simd16_high(of_mode[i], simd16_at(t->mode[i] + j));
-        root = simd16_within(root, 0, ROOT_MAX) * 8;
-        simd16_put_unsigned(out + j, (simd16_high(simd16_high(root, root), of_gain) + 1) >> 1);
+            v[j] = (int16_t)(v[j] + high_of(coefficient[i], t->mode[i][j]));
     }
+    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j++)
+        v[j] = v[j] > 0 ? v[j] : 0;
+    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j++)
+        v[j] = v[j] < ROOT_MAX ? v[j] : ROOT_MAX;
+    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j++)
+        v[j] = (int16_t)(v[j] * 8);
+    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j++)
+        v[j] = high_of(v[j], v[j]);
+    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j++)
+        v[j] = (int16_t)((int16_t)(high_of(v[j], gain) + 1) >> 1);
+    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j++)
+        v[j] = v[j] > 0 ? v[j] : 0;
+    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j++)
+        v[j] = v[j] < 255 ? v[j] : 255;
+    for (int j = 0; j < GRAIN_MODE_PLACES - 1; j++)
+        out[j] = (uint8_t)v[j];
     out[0] = out[GRAIN_MODE_PLACES - 1] = 0; /* beyond, there is nothing */
 }
-_Static_assert((GRAIN_MODE_PLACES - 1) % SIMD16_LANES == 0, "all places but the last are a whole number of registers");
 
 /* Each mode's coefficient goes along its ring of slow numbers from a place of the stroke's own, in a sense of its own. */
 static void make_section(grain *g, const line_figures *f, const grain_ends *ends, uint64_t key)
@@ -196,8 +222,8 @@ static void make_section(grain *g, const line_figures *f, const grain_ends *ends
         sign[i] = bits & 1 ? 1 : -1;
         at[i] = (size_t)(bits >> 32);
     }
-    float gain = (float)respond(usual_or((double)ends->pressure_first)).level * GAIN_UNIT * 2;
-    float rise = ((float)respond(usual_or((double)ends->pressure_last)).level * GAIN_UNIT * 2 - gain) / (float)knots;
+    float gain = level_at(usual_or((double)ends->pressure_first)) * GAIN_UNIT * 2;
+    float rise = (level_at(usual_or((double)ends->pressure_last)) * GAIN_UNIT * 2 - gain) / (float)knots;
     for (size_t k = 0; k < knots; k++) {
         int16_t a[GRAIN_MODES];
         for (int i = 0; i < GRAIN_MODES; i++)
@@ -243,22 +269,43 @@ static int place_of_row(const grain *g, int r)
     return place < ROW_PLACES - 1 ? (int)(place + 0.5f) : ROW_PLACES - 1;
 }
 
+/* Fills in row r: the first column's state keeps nothing of a column before. */
+static void make_row(const grain_tables *t, int at, double own, int r, grain_rows *rows)
+{
+    rows->spread[r] = t->row_spread[at];
+    rows->outer[r] = t->row_outer[at];
+    for (int i = 0; i < CHAIN_FIRST; i++) {
+        double a = clamp((double)((i ? t->chain_high : t->chain_low) + t->row_along[at]) + own, -0.3, 0.95);
+        rows->keep[i][r] = (int16_t)floor(a * 32767 + 0.5);
+        rows->fresh[i][r] = (int16_t)floor(sqrt(1 - a * a) * 32767 + 0.5);
+    }
+    rows->keep[CHAIN_FIRST][r] = 0;
+    rows->fresh[CHAIN_FIRST][r] = INT16_MAX;
+}
+
+static void copy_row(grain_rows *rows, int from, int to)
+{
+    rows->spread[to] = rows->spread[from];
+    rows->outer[to] = rows->outer[from];
+    for (int i = 0; i < CHAIN_STATES; i++) {
+        rows->keep[i][to] = rows->keep[i][from];
+        rows->fresh[i][to] = rows->fresh[i][from];
+    }
+}
+
 static void make_rows(const grain *g, const line_figures *f, grain_rows *rows)
 {
-    const grain_tables *t = g->pencil->grain;
     double own = f->along - (double)g->pencil->profile->grain.line_mean[3];
+    const int middle = g->rows / 2;
     memset(rows->has_outer, 0, sizeof rows->has_outer);
-    for (int r = 0; r < g->stride; r++) {
-        int at = place_of_row(g, r);
-        rows->spread[r] = t->row_spread[at];
-        rows->outer[r] = t->row_outer[at];
-        rows->has_outer[r / SIMD16_LANES] |= rows->outer[r] > 0;
-        for (int i = 0; i < CHAIN_STATES; i++) {
-            double a = i == CHAIN_FIRST ? 0 : clamp((double)((i ? t->chain_high : t->chain_low) + t->row_along[at]) + own, -0.3, 0.95);
-            rows->keep[i][r] = (int16_t)floor(a * 32767 + 0.5);
-            rows->fresh[i][r] = (int16_t)floor(sqrt(1 - a * a) * 32767 + 0.5);
-        }
+    /* The section is symmetric: a row on the other side is the same. */
+    for (int r = middle; r < g->stride; r++) {
+        make_row(g->pencil->grain, place_of_row(g, r), own, r, rows);
+        if (r > middle && r <= 2 * middle)
+            copy_row(rows, r, 2 * middle - r);
     }
+    for (int r = 0; r < g->stride; r++)
+        rows->has_outer[r / SIMD16_LANES] |= rows->outer[r] > 0;
 }
 
 /* Innovations: what the white noise of the columns about them comes to after the filter. `from`: the columns' places in the
