@@ -292,6 +292,10 @@ PLB_API bool plb_drawing_write_png(const plb_drawing *drawing, const char *file,
 /* Writes the drawing as PDF: one page of the drawing's true size. */
 PLB_API bool plb_drawing_write_pdf(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
 
+/* Writes a film in which the drawing draws itself, as APNG, or as a picture for each frame where the name has a place for a number, %d or %04d. The settings fps,
+ * duration, pause and loop count; the last frame has the pixels of the picture. */
+PLB_API bool plb_drawing_write_film(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
+
 /* Takes the next `n` bytes of a file. False ends the work; errno may say why. */
 typedef bool (*plb_write_function)(void *closure, const void *data, size_t n);
 /* Hands the bytes of the file, in the format of that name or suffix ("svg"), to a function, in order. */

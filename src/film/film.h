@@ -33,6 +33,7 @@ typedef struct {
     int level;         /* of compression, 0 to 9 */
     int members;       /* threads that may compress; the bytes do not depend on them */
     int columns, rows; /* above 0: no film but a sheet of so many cells, with a table beside it, NAME.json; rows 0: as many as needed */
+    bool is_growing;   /* each frame adds a little to the one before, here and there: kinds of files that can leave out what has not changed within the rectangle do so */
     const char *const *text; /* pairs keyword, text; ends with NULL; what the file says of itself. NULL: nothing */
 } film_page;
 

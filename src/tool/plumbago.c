@@ -67,7 +67,7 @@ static const char *refuse_format(const settings *s, char *text, size_t size)
 {
     plb_error e = {PLB_OK, ""};
     plb_format format;
-    if (!s->output || is_text(s) || plb_format_of(s->output, &format, &e))
+    if (!s->output || is_text(s) || s->film || plb_format_of(s->output, &format, &e))
         return NULL;
     snprintf(text, size, "%s", e.text);
     return text;
@@ -77,6 +77,8 @@ static bool write_result(const settings *s, const plb_drawing *d, const char *to
 {
     if (s->dump >= 0)
         return plb_drawing_dump(d, (plb_dump)s->dump, to, s->o, e);
+    if (s->film)
+        return plb_drawing_write_film(d, to, s->o, e);
     return s->document ? plb_document_add(s->document, d, s->o, e) : plb_drawing_write(d, to, s->o, e);
 }
 
@@ -103,7 +105,7 @@ typedef struct {
 /* Puts the page's number and then the drawing's name into their places: a name that looks like a place is none. */
 static char *result_name(const settings *s, const job *j, unsigned page)
 {
-    char *numbered = s->output || j->several ? pages_name(j->to, page ? page : 1) : strdup(j->to);
+    char *numbered = !s->film && (s->output || j->several) ? pages_name(j->to, page ? page : 1) : strdup(j->to);
     char *name = numbered && s->output ? naming_of(numbered, j->input) : numbered;
     if (name != numbered)
         free(numbered);
@@ -143,6 +145,16 @@ static void hint_at_size(const settings *s, const plb_drawing *d, const char *in
         return;
     snprintf(text, sizeof text, "%.900s: the page is %.3g by %.3g mm, small for a pencil; --width 100mm draws it larger", input, w, h);
     talk_message(s->talk, 0, text);
+}
+
+/* Names the result after the drawing: a picture stays beside its film. */
+static char *made_name(const settings *s, const char *input, bool several)
+{
+    static const char old[] = ".png", suffix[] = ".film.png";
+    char *name = pages_name_output(input, several && !s->film), *longer = name && s->film ? realloc(name, strlen(name) + sizeof suffix) : name;
+    if (longer && s->film)
+        strcpy(longer + strlen(longer) - strlen(old), suffix);
+    return longer;
 }
 
 static int draw(settings *s, const job *j, unsigned page)
@@ -188,6 +200,8 @@ static int draw_pages(settings *s, const job *j)
 {
     plb_error e = {PLB_OK, ""};
     const char *list = s->pages;
+    if (s->film && j->several)
+        return talk_wrong(s->talk, "a film shows one page: --page N");
     if (!list)
         return draw(s, j, 0);
     unsigned count = j->several ? plb_file_pages(j->file, s->o, &e) : 1;
@@ -216,7 +230,7 @@ static int run(settings *s, const char *input)
 {
     job j = {.input = input, .several = s->pages && !pages_is_one(s->pages)};
     bool is_named = s->output || is_text(s) || !strcmp(input, "-");
-    char *made = is_named ? NULL : pages_name_output(input, j.several);
+    char *made = is_named ? NULL : made_name(s, input, j.several);
     if (!is_named && !made)
         return talk_no_memory();
     j.to = s->output ? s->output : made ? made : "-";
@@ -233,7 +247,7 @@ static int run(settings *s, const char *input)
 /* Gives the part of a result's name that tells it from others. */
 static char *name_to_compare(const settings *s, const char *input)
 {
-    char *name = s->output ? naming_of(s->output, input) : pages_name_output(input, false);
+    char *name = s->output ? naming_of(s->output, input) : made_name(s, input, false);
     while (name && !strncmp(name, "./", 2))
         memmove(name, name + 2, strlen(name + 2) + 1);
     return name;
@@ -260,7 +274,7 @@ static bool wants_document(const settings *s, int inputs)
 {
     plb_format format;
     bool several = inputs > 1 || (s->pages && !pages_is_one(s->pages));
-    return several && s->dump < 0 && s->output && !naming_has_place(s->output) && !pages_has_number(s->output) &&
+    return several && s->dump < 0 && !s->film && s->output && !naming_has_place(s->output) && !pages_has_number(s->output) &&
            plb_format_of(s->output, &format, NULL) && format.has_pages;
 }
 

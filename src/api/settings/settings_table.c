@@ -4,6 +4,7 @@
  */
 #include "api/settings/settings.h"
 
+#include "film/film.h"
 #include "input/input.h"
 #include "plan/plan.h"
 #include "plan/reduction/reduction.h"
@@ -57,6 +58,15 @@ static const setting table[] = {
      FIELD(background), WORDS(WORD("white", PAGE_WHITE), WORD("paper", PAGE_PAPER), WORD("none", PAGE_TRANSPARENT))},
     {{"compress", 0, "Output", PLB_SETTING_WHOLE, "N", 0, 9, "", "1", "0: large at once, 9: small and slow", DRAW},
      FIELD(compress)},
+
+    {{"fps", 0, "Films", PLB_SETTING_WHOLE, "N", 1, FILM_RATE_MAX, "frames in a second", "25", "how smooth a film is", DRAW},
+     FIELD(fps)},
+    {{"duration", 0, "Films", PLB_SETTING_NUMBER, "SECONDS", 0.1, 3600, "seconds", "10", "how long it draws", DRAW},
+     FIELD(duration)},
+    {{"pause", 0, "Films", PLB_SETTING_NUMBER, "SECONDS", 0, 600, "seconds", "2", "how long the finished sheet is shown", DRAW},
+     FIELD(pause)},
+    {{"loop", 0, "Films", PLB_SETTING_WHOLE, "N", 0, 65535, "times", "1", "how often it is shown; 0: for ever", DRAW},
+     FIELD(loop)},
 
     {{"width", 0, "Size on paper", PLB_SETTING_LENGTH, "LEN", 0.01, 1e5, "mm", "auto", "width of the page; auto: the drawing's own", LOAD},
      FIELD(width)},

@@ -14,6 +14,7 @@
 static bool set_output(void *p, const char *v) { return ((settings *)p)->output = v, *v != '\0'; }
 static bool set_pencil(void *p, const char *v) { return ((settings *)p)->pencil = v, *v != '\0'; }
 static bool set_no_clobber(void *p, const char *v) { return (void)v, ((settings *)p)->no_clobber = true; }
+static bool set_film(void *p, const char *v) { return (void)v, ((settings *)p)->film = true; }
 static bool set_page(void *p, const char *v)
 {
     const char *list = v;
@@ -62,6 +63,7 @@ static const struct {
     {NULL, {.name = "page", .argument = "N|N-M|all", .words = "all", .help = "which pages of a PDF or PostScript file, also a list [1]", .set = set_page}},
     {"", {.letter = 'o', .name = "output", .argument = "FILE", .help = ".png .pdf .svg .jpg .webp .tif, a folder, or '-': standard output; %s: drawing, %d: page [FILE.png]", .set = set_output}},
     {"", {.name = "no-clobber", .help = "leave pictures that are there as they are", .set = set_no_clobber}},
+    {"", {.name = "film", .help = "an animated PNG in which the drawing draws itself [FILE.film.png]", .set = set_film}},
     {NULL, {.letter = 's', .name = "seed", .argument = "SEED", .words = "random", .help = "a whole number, or 'random': another hand for the same drawing [1]"}},
     {"pencil", {.name = "list-pencils", .help = "show the pencils that are built in", .set = set_list_pencils}},
     {NULL, {.name = "dump", .argument = "list|strokes|controls", .words = "list strokes controls", .help = "show what a stage made instead of drawing", .set = set_dump}},

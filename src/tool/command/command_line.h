@@ -19,19 +19,19 @@ typedef struct {
     const char *completions; /* for which shell; NULL: for none */
     plb_document *document;  /* all pages in one file; NULL: a file each */
     int dump;                /* a plb_dump, or -1 */
-    bool random_seed, quiet, no_clobber, list_pencils, version, help;
+    bool random_seed, quiet, no_clobber, film, list_pencils, version, help;
     int verbose;
     char note[160];          /* on a length without a unit; empty: none */
     struct talk *talk;       /* says what there is to say (talk.h) */
 } settings;
 
-#define MAX_OPTIONS 64 /* with headings */
+#define MAX_OPTIONS 96 /* with headings */
 
 /* Holds all options in the order of --help, and the texts that were made for them. */
 typedef struct {
     option rows[MAX_OPTIONS];
     size_t n;
-    char text[8192];
+    char text[12288];
     size_t used;
 } command_table;
 

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: MIT
+# A film in which the drawing draws itself: another reader finds the picture in its last frame, graphite only grows, threads change nothing, and a film that
+# fails leaves no file.
+. "$ROOT/tests/check.sh"
+cat >a.svg <<'SVG'
+<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="40mm" viewBox="0 0 60 40" fill="none" stroke="black" stroke-width=".4">
+<path d="M5 35L55 30"/><circle cx="30" cy="18" r="12"/><path d="M5 5C20 0 40 12 55 4"/><path d="M10 10V30"/></svg>
+SVG
+draws "a picture" -d 100 a.svg -o still.png
+draws "a film" --film -d 100 --duration 1.5 --fps 20 a.svg
+draws "on three threads" --film -d 100 --duration 1.5 --fps 20 --threads 3 a.svg -o three.png
+same "threads change nothing" a.film.png three.png
+plumbago --film -d 100 --duration 1.5 --fps 20 a.svg -o - && cp "$TMP/out" piped.png
+same "a pipe gets the same bytes" a.film.png piped.png
+mkdir out
+draws "numbered pictures" --film -d 100 --duration 1.5 --fps 20 --pause 0 a.svg -o 'out/%03d.png'
+is "they are 31" "$(find out -type f | wc -l)" 31
+if /usr/bin/python3 -c 'import PIL, numpy' 2>/dev/null; then
+    report "read by another program" "$(/usr/bin/python3 - 2>&1 <<'PY'
+from PIL import Image
+import numpy
+film, still = Image.open("a.film.png"), numpy.array(Image.open("still.png").convert("L")).astype(int)
+frames = []
+for k in range(film.n_frames):
+    film.seek(k)
+    frames.append(numpy.array(film.convert("L")).astype(int))
+if (frames[0] != 255).any(): print("the first frame is not blank")
+if (frames[-1] != still).any(): print("the last frame is not the picture")
+if any((b > a).any() for a, b in zip(frames, frames[1:])): print("graphite vanishes")
+if not 20 <= len(frames) <= 31: print("frames:", len(frames))
+if film.info["duration"] != 2050: print("the pause is", film.info["duration"])
+PY
+)"
+else
+    skip "read by another program" "no python3-pil here"
+fi
+refuses "no such kind" "no film is written with the suffix" --film a.svg -o x.jpg
+refuses "no such folder" "nowhere" --film a.svg -o nowhere/x.png
