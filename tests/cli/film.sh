@@ -34,5 +34,28 @@ PY
 else
     skip "read by another program" "no python3-pil here"
 fi
+draws "three tracings" --film --boil 3 --hold 2 -d 200 a.svg -o boil.png
+draws "the drawing" -d 200 a.svg -o still200.png
+if /usr/bin/python3 -c 'import PIL, numpy' 2>/dev/null; then
+    report "three pictures, the first is the drawing, none strays far" "$(/usr/bin/python3 - 2>&1 <<'PY'
+from PIL import Image, ImageFilter
+import numpy
+film, still = Image.open("boil.png"), numpy.array(Image.open("still200.png").convert("L"))
+frames = []
+for k in range(film.n_frames):
+    film.seek(k)
+    frames.append(film.convert("L").copy())
+    if film.info["duration"] != 80: print("held for", film.info["duration"])
+if len({f.tobytes() for f in frames}) != 3 or len(frames) != 3: print("pictures:", len(frames))
+if (numpy.array(frames[0]) != still).any(): print("the first is not the drawing")
+if film.info["loop"] != 0: print("it ends")
+# 0.85 mm are 6.7 pixels: what is dark in one lies within so much of something in each other.
+for a in frames:
+    for b in frames:
+        near = numpy.array(b.filter(ImageFilter.MinFilter(13)))
+        if (near[numpy.array(a) < 200] > 250).any(): print("a line strays")
+PY
+)"
+fi
 refuses "no such kind" "no film is written with the suffix" --film a.svg -o x.jpg
 refuses "no such folder" "nowhere" --film a.svg -o nowhere/x.png

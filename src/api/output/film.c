@@ -3,10 +3,12 @@
  * Writes a film in which the drawing draws itself: stroke by stroke in the order of the plan, each at the arm's own speed, the pencil lifted and moved in
  * between. A stroke that takes several frames is drawn in each, and of its graphite only what lies between the pencil's places then and before
  * is laid; deposits add up, so the last frame is the drawing as it is written otherwise, pixel for pixel.
+ * With the setting `boil` the film is a loop of several tracings of the drawing instead: each stroke has other random numbers in each, the paper is the same.
  */
 #include "api/render/render.h"
 
 #include "api/pencil/pencils.h"
+#include "base/number/random.h"
 #include "base/number/units.h"
 #include "film/film.h"
 #include "film/timing.h"
@@ -20,6 +22,9 @@
 #define PIXELS_MAX 1e8
 /* Pixels of a stroke lie no farther from its path than this, mm; only places of the path that are so near a patch are looked at. */
 #define NEAR_MM 4.0
+
+/* Further tracings stray no farther from the line that is meant, mm: who traces looks at what is there (chosen by eye). */
+#define TRACING_MM 0.2
 
 /* When a stroke is drawn, in shares of the film. */
 typedef struct {
@@ -199,6 +204,51 @@ static bool draw_frames(filming *f, error *err)
     return ok;
 }
 
+/* ---- boil ---- */
+
+/* Takes a blank page in the place of the one at hand. */
+static bool turn_page(filming *f, error *err)
+{
+    page old = f->page;
+    plb_page_free(&f->page);
+    if (!plb_page_init(&f->page, old.width, old.height, old.height, f->o->colour, old.ink, old.soft, err))
+        return false;
+    f->page.sheet = f->sheet;
+    f->page.pixel = old.pixel;
+    f->top = 0;
+    f->bottom = old.height;
+    return true;
+}
+
+/* Gives a stroke of tracing number `phase` its random numbers; the first tracing is the drawing itself. The second number tells them from those of further pages. */
+static stroke traced(const stroke *s, int phase, double reduction)
+{
+    stroke again = *s;
+    float most = (float)(TRACING_MM * reduction);
+    if (phase > 0) {
+        again.identity = random_fold(s->identity, phase, 1) | 1;
+        again.max_deviation = s->max_deviation > 0 && s->max_deviation < most ? s->max_deviation : most;
+    }
+    return again;
+}
+
+static bool trace_frames(filming *f, error *err)
+{
+    const stroke_list *list = &f->d->strokes;
+    for (int k = 0; k < f->o->boil; k++) {
+        if (!plb_api_report(f->o, PROGRESS_PLANNED + (1 - PROGRESS_PLANNED) * 0.999 * k / f->o->boil, err) || !turn_page(f, err))
+            return false;
+        for (size_t i = 0; i < list->strokes.n; i++) {
+            stroke s = traced(&list->strokes.v[i], k, f->d->reduction);
+            if (!draw(f, &s, 0, 1, err))
+                return false;
+        }
+        if (!add_frame(f, (unsigned)f->o->hold, err))
+            return false;
+    }
+    return true;
+}
+
 /* ---- a film from its beginning to its end ---- */
 
 static bool prepare(filming *f, const render_context *t, const page_plan *plan, error *err)
@@ -237,11 +287,11 @@ static bool film_it(filming *f, const char *file, error *err)
     snprintf(software, sizeof software, "Plumbago %s", plb_version());
     const char *const text[] = {"Software", software, NULL};
     film_page sheet = {.width = plan.width, .height = plan.height, .channels = plb_page_channels((page_background)f->o->background, f->o->colour), .rate = f->o->fps,
-                      .loops = (unsigned)f->o->loop, .dpi = f->o->dpi, .level = f->o->compress, .members = plan.members, .is_growing = true, .text = text};
+                      .loops = (unsigned)(f->o->loop >= 0 ? f->o->loop : f->o->boil == 1), .dpi = f->o->dpi, .level = f->o->compress, .members = plan.members, .is_growing = f->o->boil == 1, .text = text};
     if ((double)plan.width * plan.height > PIXELS_MAX)
         return plb_fail(err, ERROR_LIMIT, "%s: a film of %d by %d pixels is too large: lower the resolution", f->d->name, plan.width, plan.height);
     f->writer = plb_film_writer_open(file, &sheet, NULL, err);
-    if (!f->writer || !prepare(f, &t, &plan, err) || !draw_frames(f, err)) {
+    if (!f->writer || !prepare(f, &t, &plan, err) || !(f->o->boil > 1 ? trace_frames : draw_frames)(f, err)) {
         plb_film_writer_abort(f->writer);
         return false;
     }

@@ -70,7 +70,8 @@ struct plb_options {
     bool construction, colour;
     int threads;          /* 0: as many as there are processors */
     int compress;
-    int fps, loop;        /* of films; loop 0: for ever */
+    int fps, boil, hold;  /* of films */
+    int loop;             /* 0: for ever; negative: as the film is */
     double duration, pause; /* s */
     int page;             /* from 1; 0: the first */
     double limit_time, limit_memory, limit_length; /* s, MiB, m */
