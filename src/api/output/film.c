@@ -18,6 +18,9 @@
 
 /* A way through the air takes this share of the time of a line as long (chosen by eye). */
 #define LIFT_SHARE 0.6
+/* Hatching is done to and fro without a look, lettering in small quick movements: in such shares of a line's time (chosen by eye: else the tones
+ * of a drawing take all its time, and its lines appear at once). */
+static const double hurry[] = {[STROKE_LINE] = 1, [STROKE_HATCH] = 0.1, [STROKE_LETTER] = 0.4, [STROKE_GUIDE] = 1};
 /* The page of a film is in memory as a whole: so many pixels at the most. */
 #define PIXELS_MAX 1e8
 /* Pixels of a stroke lie no farther from its path than this, mm; only places of the path that are so near a patch are looked at. */
@@ -148,9 +151,10 @@ static bool set_times(filming *f, error *err)
     for (size_t i = 0; i < list->strokes.n; i++) {
         const stroke *s = &list->strokes.v[i], *last = i ? s - 1 : NULL;
         point start = list->points.v[s->first], pen = last ? list->points.v[last->first + last->n - 1] : start;
-        passed += LIFT_SHARE * plb_film_time(plb_point_distance(pen, start) * to_page);
+        double share = hurry[s->style.kind];
+        passed += LIFT_SHARE * share * plb_film_time(plb_point_distance(pen, start) * to_page);
         f->times[i].begin = passed;
-        passed += plb_film_time(plb_stroke_length(list, s) * to_page);
+        passed += share * plb_film_time(plb_stroke_length(list, s) * to_page);
         f->times[i].end = passed;
     }
     for (size_t i = 0; passed > 0 && i < list->strokes.n; i++) {
