@@ -292,7 +292,7 @@ PLB_API bool plb_drawing_write_png(const plb_drawing *drawing, const char *file,
 /* Writes the drawing as PDF: one page of the drawing's true size. */
 PLB_API bool plb_drawing_write_pdf(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
 
-/* Writes a film in which the drawing draws itself, as APNG, or as a picture for each frame where the name has a place for a number, %d or %04d. The settings fps,
+/* Writes a film in which the drawing draws itself, as APNG, as GIF (grey, on paper) where the name ends in .gif, or as a picture for each frame where the name has a place for a number, %d or %04d. The settings fps,
  * duration, pause, loop, boil and hold count; the last frame has the pixels of the picture, with boil above 1 the first. */
 PLB_API bool plb_drawing_write_film(const plb_drawing *drawing, const char *file, const plb_options *options, plb_error *error);
 

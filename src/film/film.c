@@ -12,7 +12,7 @@
 #include <unistd.h>
 
 /* To add a kind of file, write its file and its row. A name's suffix chooses among these; the first one is the usual. */
-static const film_format *const formats[] = {&plb_apng_film};
+static const film_format *const formats[] = {&plb_apng_film, &plb_gif_film};
 #define FORMATS (sizeof formats / sizeof *formats)
 
 /* ---- which format ---- */

@@ -39,7 +39,7 @@ typedef struct {
 
 typedef struct film_writer film_writer;
 
-/* Begins a film in the kind of file that its name asks for: .png or .apng (APNG), .gif, .webp; a name with a place for a number, %d or %04d, is a
+/* Begins a film in the kind of file that its name asks for: .png or .apng (APNG), .gif (grey alone); a name with a place for a number, %d or %04d, is a
  * picture (PNG) for each frame, numbered from 1; with columns, a sheet (PNG). "-": standard output, APNG. The page and the name are copied, but for the
  * texts, which are borrowed, as `say` is; it hears what the kind of file cannot hold. The caller closes or aborts the result. NULL and `err` on failure. */
 film_writer *plb_film_writer_open(const char *file, const film_page *page, const log_sink *say, error *err);

@@ -57,5 +57,19 @@ for a in frames:
 PY
 )"
 fi
+draws "a GIF" --film -d 100 --duration 1.5 --fps 20 a.svg -o a.gif
+if /usr/bin/python3 -c 'import PIL, numpy' 2>/dev/null; then
+    report "its frames are those of the APNG" "$(/usr/bin/python3 - 2>&1 <<'PY'
+from PIL import Image
+a, b = Image.open("a.film.png"), Image.open("a.gif")
+if a.n_frames != b.n_frames: print(a.n_frames, b.n_frames)
+for k in range(min(a.n_frames, b.n_frames)):
+    a.seek(k), b.seek(k)
+    if a.convert("L").tobytes() != b.convert("L").tobytes(): print("frame", k)
+    if a.info["duration"] != b.info["duration"]: print("duration", k, b.info["duration"])
+PY
+)"
+fi
+refuses "a GIF in colours" "grey films on paper only" --film --colour a.svg -o x.gif
 refuses "no such kind" "no film is written with the suffix" --film a.svg -o x.jpg
 refuses "no such folder" "nowhere" --film a.svg -o nowhere/x.png

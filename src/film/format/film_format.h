@@ -53,7 +53,7 @@ struct film_format {
     void (*drop)(film_writer *w);            /* frees w->own, also half made */
 };
 
-extern const film_format plb_apng_film, plb_numbered_film, plb_sheet_film, plb_gif_film, plb_webp_film;
+extern const film_format plb_apng_film, plb_numbered_film, plb_sheet_film, plb_gif_film;
 
 /* Opens w->out and w->to. A film that must be changed after it was written (`is_patched`) goes into a nameless file first where the output cannot
  * be changed, as a pipe cannot. */
