@@ -321,6 +321,42 @@ $(O)/examples/%: examples/%.cpp $(O)/libplumbago.a
 	@mkdir -p $(@D)
 	$(Q)$(CXX) -std=c++17 -Wall -Wextra $(flags_$(BUILD)) -Isrc/api $(shell pkg-config --cflags cairo) $< $(O)/libplumbago.a $(LDFLAGS_ALL) $(shell pkg-config --libs $(packages_lib)) -lm -pthread -o $@
 
+# ---- the core for browsers ----------------------------------------------------------------------------------
+# WebAssembly by Debian's clang-14, lld-14, wasi-libc and libclang-rt-14-dev-wasm32: build/web has all that a page needs.
+# The library without cairo, taps and files; src/web/stand_in has what a browser lacks. Vectors are 128 bits broad. Size counts
+# where a page loads it, speed where strokes are drawn.
+W = build/web
+WASM_CC = clang-14 --target=wasm32-wasi
+packages_web = clang-14 lld-14 wasi-libc libclang-rt-14-dev-wasm32 nodejs
+web_src = $(foreach d,base list plan stroke profile api/settings api/drawing api/pencil api/render web,$(call below,src/$(d),*.c)) \
+          $(addprefix src/,surface/page.c surface/page_row.c surface/ground.c input/list.c api/output/pixels.c api/api_internal.c api/pipeline.c)
+web_obj = $(patsubst src/%.c,$(W)/obj/%.o,$(filter-out %/scan_png.c %/profile_builtin.c,$(web_src)))
+CFLAGS_web = -std=c17 $(WARN) -Wno-missing-field-initializers -DNDEBUG -msimd128 -ffp-contract=off -fno-math-errno -fno-trapping-math -MMD -MP \
+             -D_POSIX_C_SOURCE=200809L -Isrc/web/stand_in -Isrc
+$(W)/obj/%.o: src/%.c $(W)/flags
+	$(say) WASM $<
+	@mkdir -p $(@D)
+	$(Q)$(WASM_CC) $(CFLAGS_web) $(if $(filter stroke surface,$(word 1,$(subst /, ,$*))),-O2,-Oz) -c $< -o $@
+$(W)/flags: $(call changed,$(W)/flags,$(WASM_CC) $(CFLAGS_web))
+	$(call keep,$(WASM_CC) $(CFLAGS_web))
+$(W)/plumbago.wasm: $(web_obj)
+	$(say) LINK $@
+	$(Q)$(WASM_CC) -mexec-model=reactor -Wl,--gc-sections -Wl,--strip-all -Wl,-z,stack-size=1048576 $^ -lm -o $@
+$(W)/%: src/web/%
+	$(Q)cp $< $@
+$(W)/%.pencil: profiles/%.pencil
+	$(Q)cp $< $@
+
+.PHONY: web
+web:
+	@tests/packages $(packages_web)
+	+$(Q)$(MAKE) --no-print-directory web-files
+.PHONY: check-web
+check-web: web
+	+$(Q)$(MAKE) --no-print-directory check-only TESTS=tests/web.sh
+.PHONY: web-files
+web-files: $(W)/plumbago.wasm $(addprefix $(W)/,plumbago.js plumbago.d.ts package.json README.md) $(grades:%=$(W)/%.pencil)
+
 # ---- install ------------------------------------------------------------------------------------------------
 manuals = $(wildcard man/*.[1-9])
 
@@ -389,8 +425,9 @@ help:
 	@echo 'make tones      the scales of tones of the eight pencils, as src/api/pencil keeps them'
 	@echo 'make profiles   captures the eight pencils anew, where the scans are at hand'
 	@echo 'make install    to $$(DESTDIR)$$(PREFIX); uninstall takes it away'
+	@echo 'make web        the core for browsers and Node, in build/web (Debian: $(packages_web)); check-web tests it'
 	@echo 'make package    Debian packages, in build/package (Debian: debhelper)'
 	@echo 'make clean      removes build/'
 	@echo 'BUILD=release|debug|asan|ubsan|tsan|cover|failing|fuzz   CC=gcc|clang   V=1: show the commands'
 
--include $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(ps_obj:.o=.d) $(model_obj:.o=.d) $(O)/tap/ps/tap_ps.d $(O)/tap/model/tap_model.d $(O)/tap/model/tap_assimp.d $(O)/tap/model/program.d $(wildcard $(O)/tool/*.d $(O)/tool/*/*.d $(O)/*.d $(O)/tests/*/*.d)
+-include $(web_obj:.o=.d) $(lib_obj:.o=.d) $(tap_obj:.o=.d) $(ps_obj:.o=.d) $(model_obj:.o=.d) $(O)/tap/ps/tap_ps.d $(O)/tap/model/tap_model.d $(O)/tap/model/tap_assimp.d $(O)/tap/model/program.d $(wildcard $(O)/tool/*.d $(O)/tool/*/*.d $(O)/*.d $(O)/tests/*/*.d)

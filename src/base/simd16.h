@@ -13,8 +13,14 @@
 #if defined __SSE2__ && defined __OPTIMIZE__
 #include <emmintrin.h>
 #define SIMD16_NATIVE 1
+#define SIMD16_WASM 0
+#elif defined __wasm_simd128__ && defined __OPTIMIZE__
+#include <wasm_simd128.h>
+#define SIMD16_NATIVE 0
+#define SIMD16_WASM 1
 #else
 #define SIMD16_NATIVE 0
+#define SIMD16_WASM 0
 #endif
 
 #define SIMD16_LANES 8
@@ -42,6 +48,9 @@ static inline lanes simd16_high(lanes a, lanes b)
 {
 #if SIMD16_NATIVE
     return (lanes)_mm_mulhi_epi16((__m128i)a, (__m128i)b);
+#elif SIMD16_WASM
+    v128_t first = wasm_i32x4_extmul_low_i16x8((v128_t)a, (v128_t)b), second = wasm_i32x4_extmul_high_i16x8((v128_t)a, (v128_t)b);
+    return (lanes)wasm_i16x8_shuffle(first, second, 1, 3, 5, 7, 9, 11, 13, 15);
 #else
     lanes v = {0};
     for (int i = 0; i < SIMD16_LANES; i++)
@@ -54,6 +63,8 @@ static inline lanes simd16_within(lanes v, int16_t low, int16_t high)
 {
 #if SIMD16_NATIVE
     return (lanes)_mm_max_epi16(_mm_min_epi16((__m128i)v, _mm_set1_epi16(high)), _mm_set1_epi16(low));
+#elif SIMD16_WASM
+    return (lanes)wasm_i16x8_max(wasm_i16x8_min((v128_t)v, wasm_i16x8_splat(high)), wasm_i16x8_splat(low));
 #else
     for (int i = 0; i < SIMD16_LANES; i++)
         v[i] = v[i] < low ? low : v[i] > high ? high : v[i];
@@ -67,6 +78,8 @@ static inline void simd16_add_within(uint16_t *to, const uint16_t *more)
 #if SIMD16_NATIVE
     __m128i sum = _mm_adds_epu16(_mm_loadu_si128((const __m128i *)(const void *)to), _mm_loadu_si128((const __m128i *)(const void *)more));
     _mm_storeu_si128((__m128i *)(void *)to, sum);
+#elif SIMD16_WASM
+    wasm_v128_store(to, wasm_u16x8_add_sat(wasm_v128_load(to), wasm_v128_load(more)));
 #else
     for (int i = 0; i < SIMD16_LANES; i++)
         to[i] = (uint16_t)(to[i] + more[i] > 65535 ? 65535 : to[i] + more[i]);
@@ -78,6 +91,8 @@ static inline lanes simd16_of_bytes(const int8_t *from)
 {
 #if SIMD16_NATIVE
     return (lanes)_mm_unpacklo_epi8(_mm_setzero_si128(), _mm_loadl_epi64((const __m128i *)(const void *)from));
+#elif SIMD16_WASM
+    return (lanes)wasm_i16x8_shl(wasm_i16x8_load8x8(from), 8);
 #else
     lanes v = {0};
     for (int i = 0; i < SIMD16_LANES; i++)
@@ -91,6 +106,8 @@ static inline void simd16_put_bytes(int8_t *to, lanes v)
 {
 #if SIMD16_NATIVE
     _mm_storel_epi64((__m128i *)(void *)to, _mm_packs_epi16((__m128i)v, (__m128i)v));
+#elif SIMD16_WASM
+    wasm_v128_store64_lane(to, wasm_i8x16_narrow_i16x8((v128_t)v, (v128_t)v), 0);
 #else
     v = simd16_within(v, -128, 127);
     for (int i = 0; i < SIMD16_LANES; i++)
@@ -103,6 +120,8 @@ static inline void simd16_put_unsigned(uint8_t *to, lanes v)
 {
 #if SIMD16_NATIVE
     _mm_storel_epi64((__m128i *)(void *)to, _mm_packus_epi16((__m128i)v, (__m128i)v));
+#elif SIMD16_WASM
+    wasm_v128_store64_lane(to, wasm_u8x16_narrow_i16x8((v128_t)v, (v128_t)v), 0);
 #else
     v = simd16_within(v, 0, 255);
     for (int i = 0; i < SIMD16_LANES; i++)

@@ -19,6 +19,7 @@ allowed() {
     film) echo base system list profile stroke surface film ;;
     api) echo base system list profile input plan stroke surface film api ;;
     tool) echo api/plumbago.h tool ;;
+    web) echo base system list profile input api web ;;
     tap) echo base list tap ;;
     *) echo none ;;
     esac
@@ -66,7 +67,7 @@ only() {
 report "cairo only in surface, api and the tap" "$(only '^cairo' surface api tap)"
 report "librsvg, GLib and libxml only in the tap" "$(only '^(librsvg|glib|gio|libxml)' tap)"
 report "libpng only in surface and profile" "$(only '^png\.h' surface profile)"
-report "no clock, process or signal where the science is" "$(only '^(time|signal|unistd|pthread|sys/.*)\.h' base system input profile surface film api tool tap)"
+report "no clock, process or signal where the science is" "$(only '^(time|signal|unistd|pthread|sys/.*)\.h' base system input profile surface film api tool tap web)"
 
 [ -f "$BUILD_DIR/libplumbago.a" ] || { fail "the library is built" "no $BUILD_DIR/libplumbago.a"; exit; }
 
