@@ -177,14 +177,14 @@ awk 'BEGIN { for (i = 0; i < 4; i++) { f = "hand-" i ".svg"
     printf "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"106mm\" height=\"12mm\" viewBox=\"0 0 106 12\"><path d=\"M3 %.2fH103\" stroke=\"#000\" stroke-width=\".3\"/></svg>", 6 + i / 100 >f } }'
 hand_of() { "$PLUMBAGO_PROFILE" show "$1" | sed -n 's/^hand  *//p'; }
 for len in 0.42mm 0.08mm; do
-    check "lines of a squiggle of $len" "$PLUMBAGO" --squiggle $len -o "hand-$len-%s.png" hand-?.svg
+    check "lines of a squiggle of $len" "$PLUMBAGO" --ruler none --squiggle $len -o "hand-$len-%s.png" hand-?.svg
     does "capture of them" capture --as-measured -o "hand-$len.pencil" hand-$len-hand-?.png
 done
 free=$(hand_of hand-0.42mm.pencil) steady=$(hand_of hand-0.08mm.pencil)
 if awk -v a="${free%% *}" -v b="${steady%% *}" 'BEGIN { exit !(a > 0.6 && a < 1.6 && b > 0.08 && b < 0.45) }'; then ok "the hand is measured"; else fail "the hand is measured" "$free, $steady"; fi
 # At twice the resolution the grain shows finer gaps, and the line is the same line.
 px_of() { "$PLUMBAGO_PROFILE" show "$1" | sed -n 's/^measured on.* \([0-9]*\) px of line/\1/p'; }
-check "the same at 600 dpi" "$PLUMBAGO" -d 600 --squiggle 0.08mm -o 'fine-%s.png' hand-?.svg
+check "the same at 600 dpi" "$PLUMBAGO" -d 600 --ruler none --squiggle 0.08mm -o 'fine-%s.png' hand-?.svg
 does "capture at 600 dpi" capture --as-measured -o fine.pencil fine-hand-?.png
 if [ "$(px_of fine.pencil)" -gt 8800 ]; then ok "all of the line is found, but for its ends"; else fail "all of the line is found" "$(px_of fine.pencil) of 9448 px"; fi
 fine=$(hand_of fine.pencil)
@@ -197,7 +197,7 @@ is "a sheet of four lines: it is captured, with one warning" "$status $(grep -c 
 does "capture --free-hand" capture --as-measured --free-hand -o free.pencil hand-0.08mm-hand-?.png
 if [ "$(hand_of free.pencil)" = "a free one" ]; then ok "--free-hand leaves it out"; else fail "--free-hand leaves it out" "$(hand_of free.pencil)"; fi
 is "compare tells hands apart" "$("$PLUMBAGO_PROFILE" compare hand-0.08mm.pencil free.pencil | awk '/^hand/ { print $2, $3 }')" "${steady%% *} 1.000"
-check "a line by a steady hand" "$PLUMBAGO" -p hand-0.08mm.pencil --dump=controls -o steady.png hand-0.svg
+check "a line by a steady hand" "$PLUMBAGO" --ruler none -p hand-0.08mm.pencil --dump=controls -o steady.png hand-0.svg
 check "a line by a free hand" "$PLUMBAGO" -p free.pencil --dump=controls -o free.png hand-0.svg
 if cmp -s steady.png free.png; then fail "a profile's hand draws"; else ok "a profile's hand draws"; fi
 check "a squiggle goes by the free hand" "$PLUMBAGO" -p hand-0.08mm.pencil --squiggle 0.3mm --dump=controls -o a.png hand-0.svg
