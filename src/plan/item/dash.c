@@ -140,7 +140,8 @@ static void set_at(pattern *p, double where, double period)
     double phase = fmod(where, period);
     if (phase < 0)
         phase += period;
-    p->index = fmod(round((where - phase) / period), 1e9) * (double)p->it->dash.n;
+    double periods = round((where - phase) / period); /* too many for a number: then as well none */
+    p->index = isfinite(periods) ? fmod(periods, 1e9) * (double)p->it->dash.n : 0;
     p->k = 0;
     p->left = length_of(p, 0);
     while (phase >= p->left && phase > 0) {

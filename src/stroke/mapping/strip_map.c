@@ -418,6 +418,8 @@ static bool add_path(mapper *m, const path_samples *path, bool closed, double px
 {
     for (size_t i = 0, j; i + 1 < path->n; i = j) {
         j = end_of_piece(m, path, i);
+        if (path->v[i].at.x == path->v[j].at.x && path->v[i].at.y == path->v[j].at.y)
+            continue; /* a piece without length has no direction */
         if (!add_windows(m, piece_of(m, path->v + i, path->v + j, px, i == 0 && !closed, j + 1 == path->n && !closed)))
             return false;
     }
