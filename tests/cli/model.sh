@@ -25,6 +25,9 @@ sed 's/$/\r/' "$stage/cube.obj" >dos.obj && list dos.obj >a && list "$stage/cube
 tr '\n' '\r' <"$stage/cube.obj" >mac.obj && list mac.obj >a && same "line ends of old" a b
 # The same cube by negative numbers, with normals, in one line that goes on.
 sed 's/^f 4 3 2 1/f -5\/\/1 -6\/\/1 \\\n -7\/\/1 -8\/\/1/' "$stage/cube.obj" >other.obj && list other.obj >a && same "negative numbers and lines that go on" a b
+# Names of materials that stand in a line of their own are kept when the next statement goes on over lines.
+printf 'v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nv 18 0 0\nv 18 9 0\nusemtl \\\nred\nf 1 2 3 4\nusemtl \\\na name that is longer than all that came before it\nusemtl \\\nred\nf 2 5 6 3\n' >names.obj
+is "materials by names over several lines" "$(strokes --view front --light none names.obj)" 4
 printf 'v 0 0 0\nv 9 0 0\nv 9 9 0\nl 1 2 3\n' >wire.obj
 is "lines without faces" "$(strokes --view front wire.obj)" 2
 

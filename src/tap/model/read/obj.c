@@ -105,7 +105,13 @@ static bool use_material(obj_reader *r, word rest)
         return false;
     material *m = look_up(r->table, r->room, name);
     if (!m->name.at) {
-        *m = (material){name, (uint32_t)r->m->paints.n};
+        /* The table keeps a copy: a statement over several lines is gone with the next one. */
+        size_t n = (size_t)(name.end - name.at);
+        char *copy = plb_new(n + 1, 1);
+        if (!copy)
+            return plb_fail_memory(r->err);
+        memcpy(copy, name.at, n);
+        *m = (material){{copy, copy + n}, (uint32_t)r->m->paints.n};
         surface_paint p = {{1, 1, 1}, (uint32_t)++r->materials};
         if (!array_push(&r->m->paints, p))
             return plb_fail_memory(r->err);
@@ -245,6 +251,8 @@ bool plb_model_read_obj(const char *data, size_t size, raw_model *m, error *err)
     array_free(&r.colours);
     array_free(&r.corners);
     array_free(&r.joined);
+    for (size_t i = 0; i < r.room; i++)
+        plb_free((void *)r.table[i].name.at);
     plb_free(r.table);
     return ok;
 }
