@@ -82,7 +82,7 @@ static bool draw(stroke_list *list, const plan_options *o, const stretch *s, dou
     low = fmax(low, s->from - beyond * (1 + BEYOND_SPREAD * (2 * random_unit(key, 0) - 1)));
     high = fmin(high, s->to + beyond * (1 + BEYOND_SPREAD * (2 * random_unit(key, 1) - 1)));
     point ends[2] = {{low * c - s->off * n, low * n + s->off * c}, {high * c - s->off * n, high * n + s->off * c}};
-    stroke guide = {.style = {GUIDE_PRESSURE, 0, STROKE_GUIDE}, .max_deviation = GUIDE_DEVIATION_MM};
+    stroke guide = {.style = {.pressure = GUIDE_PRESSURE, .kind = STROKE_GUIDE}, .max_deviation = GUIDE_DEVIATION_MM};
     return high - low < 1 || plb_plan_append(list, &guide, ends, 2);
 }
 

@@ -122,7 +122,7 @@ static float room_of(const lettering *l, const item *fill)
 /* Begins a stroke of `breadth` mm. */
 static bool begin_stroke(lettering *l, bool closed, double breadth)
 {
-    track t = {.closed = closed, .style = {l->pressure, 0, STROKE_LETTER}};
+    track t = {.closed = closed, .style = {.pressure = l->pressure, .kind = STROKE_LETTER}};
     return array_push(&l->breadths, breadth) && plb_track_begin(&l->strokes, &t);
 }
 

@@ -226,7 +226,7 @@ static point at(const form_point *v, int i) { return (point){v[i].x, v[i].y}; }
 /* Adds one stroke of n points. */
 static bool add_stroke(const hand *h, const form_point *v, int n)
 {
-    track t = {.style = {1, 0, STROKE_LETTER, 0}};
+    track t = {.style = {.pressure = 1, .kind = STROKE_LETTER}};
     bool ok = plb_track_begin(h->out, &t) && plb_track_push(h->out, plb_matrix_apply(h->to_page, at(v, 0)), false);
     for (int i = 0; ok && i + 1 < n; i++) {
         bool ends_a = i == 0 || v[i].corner, ends_b = i + 2 == n || v[i + 1].corner;
